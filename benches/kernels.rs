@@ -1,4 +1,4 @@
-//! Steps: naive, plain, fast on one thread, fast on all. See README.md.
+//! Time steps of the solvers: naive, plain, fast on one thread, fast on all threads. Described in README.md.
 
 mod naive;
 
@@ -9,10 +9,10 @@ use naive::Naive;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::time::Duration;
 
-/// Steps that are timed at once: as many as the fast solver takes in one sweep.
+/// Steps that are timed together: the number that the fast solver takes in one sweep.
 const STEPS: u64 = 16;
 
-/// Cells along each side: within a core's own cache, and beyond it.
+/// Cells along each side: a grid that fits into the cache of one core, and one that does not.
 const SIZES: [usize; 2] = [256, 1024];
 
 fn kernels(criterion: &mut Criterion) {

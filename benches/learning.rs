@@ -1,4 +1,4 @@
-//! The training sets: answering a question, and reading a set. See README.md.
+//! The training sets: answering a question, and reading a set. Described in README.md.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use dapple::files::TrainingFolder;
@@ -10,10 +10,10 @@ use rand_pcg::Pcg64;
 use std::hint::black_box;
 use std::time::Duration;
 
-/// Rows of the largest set that is swept.
+/// Rows of the largest generated set.
 const ROWS: u64 = 9_000;
 
-/// Rows of Meinhardt spots by the laws of scale (facts B), with the noise of 80 spots.
+/// Rows of Meinhardt spots from the scaling laws (facts B), with the noise of 80 spots.
 fn rows() -> Vec<Row> {
     let row = |seed| {
         let rng = &mut Pcg64::seed_from_u64(seed);
@@ -63,7 +63,7 @@ fn learning(criterion: &mut Criterion) {
     for (name, set, wanted) in &questions {
         group.bench_function(format!("ask {name}"), |bencher| bencher.iter(|| set.ask(black_box(wanted))));
     }
-    // Attributes that a user may draw: inside, at the edge, round, in a corner, beyond.
+    // Attributes that a user may draw: inside the set, at its edge, round, in a corner of it, outside it.
     for (name, density, aspect) in
         [("round", 0.1, 1.0), ("in a corner", 0.021, 0.27), ("beyond", 0.9, 0.1), ("dense", 0.2, 0.5)]
     {

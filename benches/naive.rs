@@ -1,5 +1,5 @@
-//! Turing spots in the simplest way: rows of rows, `%` at every neighbour, one step after the other. The plain solver is
-//! compared with it, to show that the plain solver is not slow itself.
+//! Turing spots computed in the simplest way: nested vectors, `%` at every neighbour, one step after the other. It is
+//! the reference that shows that the plain solver is not slow.
 
 use dapple_engine::rd::Growth;
 
@@ -36,11 +36,11 @@ impl Naive {
         }
     }
 
-    /// Takes a few steps beside `growth`, which is where this one is: both must compute the same, or nothing is
-    /// compared.
+    /// Takes a few steps, and checks that `growth`, which has the same state, computes the same.
     ///
     /// # Panics
-    /// When they do not.
+    ///
+    /// When the results differ.
     pub fn check(&mut self, growth: &Growth) {
         let mut growth = growth.clone();
         growth.advance_plain(5);
@@ -71,8 +71,8 @@ impl Naive {
     }
 }
 
-/// Time that one step of `growth` takes where the cells' lowest rate is `rate`, in units of cell² ÷ √(Dₐ·D_b);
-/// `decay` is the system's constant of normalised time.
+/// The normalised time of one step of `growth`, in units of cell² ÷ √(Dₐ·D_b), where the lowest rate of the cells is
+/// `rate`. `decay` is the system's constant of normalised time.
 pub fn scale(growth: &Growth, rate: f32, decay: f64) -> f32 {
     let mut growth = growth.clone();
     let before = growth.time();

@@ -1,4 +1,4 @@
-//! Fields from scattered points: the interpolation, plain and fast, and what comes before it. See README.md.
+//! Fields from scattered points: the interpolation, plain and fast, and the steps before it. Described in README.md.
 
 use std::hint::black_box;
 use std::time::Duration;
@@ -21,7 +21,8 @@ const SIDE: usize = 1000;
 /// Radius of the discs, px: with it there are 725 points, as many as in the paper.
 const RADIUS: f64 = 31.0;
 
-/// The interpolation as the equations stand: of each point and image the px of the box round its support, one after the other.
+/// The interpolation computed directly from the equations: for each point and its images, one px after the other in the
+/// box around its support.
 fn plain(graph: &Delaunay, values: &[f32], grid: &Grid, length: f64) -> Field {
     let [nx, ny] = grid.size;
     let mut sums = vec![[0.0f64; 2]; nx * ny];

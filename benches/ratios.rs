@@ -1,4 +1,4 @@
-//! How many times as long one thing takes as another, in turn and on one thread. See README.md.
+//! Ratios of two durations, measured alternately on one thread. Described in README.md.
 
 use criterion::measurement::{Measurement, ValueFormatter};
 use criterion::{BenchmarkGroup, Criterion, SamplingMode, Throughput, criterion_group, criterion_main};
@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// A number that criterion measures in place of a time.
+/// A number that criterion measures instead of a time.
 struct Ratio;
 
 impl Measurement for Ratio {
@@ -72,7 +72,7 @@ fn group<'a>(criterion: &'a mut Criterion<Ratio>, name: &str) -> Group<'a> {
     group
 }
 
-/// Measures `number` once a turn.
+/// Measures `number` once in each round.
 fn number(group: &mut Group, name: &str, mut number: impl FnMut() -> f64 + Send) {
     let one = one_thread();
     group.bench_function(name, |bencher| {
@@ -80,7 +80,7 @@ fn number(group: &mut Group, name: &str, mut number: impl FnMut() -> f64 + Send)
     });
 }
 
-/// Measures how many times as long `this` takes as `that`, over `by`.
+/// Measures the duration of `this` ÷ that of `that`, over `by`.
 fn ratio(
     group: &mut Group,
     name: &str,
@@ -113,7 +113,7 @@ fn steps(criterion: &mut Criterion<Ratio>) {
             || plain.advance_plain(16),
             || fast.advance(16),
         );
-        // From the same beginning for the same time.
+        // Both start from the same state and cover the same time.
         let begun = Growth::new(case.system, &case.maps(256), 1);
         let to_the_end = |mut growth: Growth| growth.advance(growth.steps_in(5.0));
         ratio(
@@ -126,7 +126,8 @@ fn steps(criterion: &mut Criterion<Ratio>) {
     }
 }
 
-/// `columns` × `rows` ellipses of about `area` px² on a canvas of `size` px, no two alike, in so many `regions`.
+/// `columns` × `rows` ellipses of about `area` px² on a canvas of `size` px, all different, with this number of
+/// `regions`.
 fn spots(size: [u32; 2], [columns, rows]: [u32; 2], area: f64, regions: Option<[u32; 2]>) -> Document {
     let [wide, high] = [f64::from(size[0]) / f64::from(columns), f64::from(size[1]) / f64::from(rows)];
     let spot = |index: u32| {
@@ -143,7 +144,7 @@ fn grown(document: &Document, options: &Options) -> Grown {
     synth::Growth::begin(black_box(document), options, None).run().expect("a texture")
 }
 
-/// Grows `document` without a further option.
+/// Grows `document` with default options.
 fn growing(document: &Document) -> impl FnMut() + Send {
     move || drop(grown(document, &Options::default()))
 }
@@ -215,7 +216,7 @@ fn changes(criterion: &mut Criterion<Ratio>) {
     ratio(&mut group, "grown after the upper of two layers changed ÷ anew", 1.0, again, growing(&changed));
 }
 
-/// The program, without what it prints.
+/// The program, with its output discarded.
 fn program() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_dapple"));
     command.stdout(Stdio::null()).stderr(Stdio::null());
@@ -246,7 +247,7 @@ fn peak(mut command: Command) -> f64 {
     }
 }
 
-/// Writes a table of so many questions, no two alike.
+/// Writes a table with this number of questions, all different.
 fn questions(folder: &Path, rows: u32) -> PathBuf {
     let mut text = "system,area,aspect,angle,spacing\n".to_owned();
     for row in 0..rows {
@@ -298,7 +299,7 @@ fn tables(criterion: &mut Criterion<Ratio>) {
     });
 }
 
-/// Growths as the program does them: memory, and the time until a change is seen.
+/// Growths by the whole program: memory, and the time until a change is shown.
 fn programs(criterion: &mut Criterion<Ratio>) {
     let mut group = group(criterion, "program");
     #[cfg(target_os = "linux")]

@@ -1,4 +1,5 @@
-//! Steps on a surface: plain, and by slices with each instruction set, on one thread; slices on all threads. See README.md.
+//! Steps on a surface: plain, and by slices with each instruction set, on one thread; slices on all threads. Described
+//! in README.md.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -10,11 +11,11 @@ use dapple_engine::rd::{
 use dapple_engine::surface::{Mesh, Surface, remesh};
 use rayon::ThreadPoolBuilder;
 
-/// Steps that are timed at once: whole super steps.
+/// Steps that are timed together: whole super steps.
 const STEPS: u64 = 12;
-/// Vertices: some 220 spots.
+/// Vertices of the mesh, for about 220 spots.
 const VERTICES: f64 = 50_000.0;
-/// Vertices from spot to spot.
+/// Spacing of the spots, in vertices.
 const SPACING: f64 = 15.0;
 
 /// An octahedron with edges of √2.
@@ -25,7 +26,7 @@ fn octahedron() -> Mesh {
     Mesh { positions, faces: faces.into() }
 }
 
-/// Spots about to grow, of this stretch.
+/// A growth of spots at its start, with this stretch.
 fn start(stretch: f32) -> SurfaceGrowth {
     let system = System::MEINHARDT_SPOTS;
     let (body, cell) = (octahedron(), 4.0 * 3.0f64.sqrt() / VERTICES);
@@ -40,7 +41,7 @@ fn start(stretch: f32) -> SurfaceGrowth {
         let vertices = surface.mesh.positions.len();
         ParameterField::new(surface, vec![own; vertices])
     };
-    // Places of spots need no fine mesh.
+    // Placing spots does not need a fine mesh.
     let (coarse, fine) = (maps(surface(3.0), SPACING / 3.0), maps(surface(1.0), SPACING));
     let places = nuclei(system, &coarse, 1, &[]).inside;
     let places: Vec<_> = places.iter().map(|at| fine.domain.closest(coarse.domain.position(*at))).collect();

@@ -1,5 +1,5 @@
-//! The steps around the growth, from the plan to the picture: placing nuclei, measuring, resampling, colours, PNG. See
-//! README.md.
+//! The steps around the growth, from the plan to the picture: placing nuclei, measuring, resampling, colours, PNG.
+//! Described in README.md.
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
@@ -25,7 +25,7 @@ fn group<'a>(criterion: &'a mut Criterion, name: &str) -> BenchmarkGroup<'a, Wal
     group
 }
 
-/// A grown pattern of turning marks, one cell a px.
+/// A grown pattern of marks whose direction changes, with one cell per px.
 fn grown(case: Case) -> Field {
     let maps = case.maps(SIDE);
     let mut growth = Growth::new(case.system, &maps, 1);
@@ -67,7 +67,7 @@ fn pictures(criterion: &mut Criterion, pattern: &Field) {
     let mut colours = group(criterion, "colour");
     let gradient = Gradient::default_for_layer(0);
     let table = gradient.table();
-    // The exact colours, px by px, for comparison with the table; an eighth of them is enough.
+    // The exact colours, px by px, for comparison with the table; an eighth of the px is enough.
     let some = &pattern.values[..SIDE * SIDE / 8];
     colours.throughput(Throughput::Elements(some.len() as u64));
     colours.bench_function("exact", |bencher| {

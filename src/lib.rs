@@ -31,22 +31,22 @@
 //! ```text
 //!  hand ──▶ sketch ──┐
 //!                    ├─▶ Marks ─▶ Attributes ─▶ learn ─▶ Parameters ─▶ rd | points ─▶ Field ─▶ colour ─▶ Image ─▶ export
-//!  photo ─▶ measure ─┘   └─────────────────── synth holds this thread, layer by layer ────────────────────┘
+//!  photo ─▶ measure ─┘   └───────────────────── synth calls these, layer by layer ────────────────────────┘
 //! ```
 //!
-//! | | modules | know |
+//! | | modules | may import |
 //! |---|---|---|
-//! | ground | `grid`, `surface`, `marks`, `attributes` | the ground above them |
-//! | steps | `sketch`, `measure`, `learn`, `rd`, `points`, `colour`, `export` | the ground, never each other |
-//! | thread | `photo`, [`document`], `synth` | ground, steps and the thread above them; `document` and `photo` are apart |
-//! | shell | [`machine`], [`files`], [`editor`] | the three above, and the shell above them |
-//! | doors | `cli`, `app` (features) | everything; nothing knows them |
+//! | base | `grid`, `surface`, `marks`, `attributes` | the base modules before them |
+//! | steps | `sketch`, `measure`, `learn`, `rd`, `points`, `colour`, `export` | base, never each other |
+//! | pipeline | `photo`, [`document`], `synth` | base, steps, and the pipeline modules before them; `document` and `photo` do not import each other |
+//! | shell | [`machine`], [`files`], [`editor`] | the three above, and the shell modules before them |
+//! | entry points | `cli`, `app` (features) | everything; nothing imports them |
 //!
-//! Ground, steps and thread are the engine, a package of its own (`dapple-engine` in `src/engine`) that this one brings in. It
-//! reads bytes and writes to any writer. Files, clocks, memory and threads are the shell's: [`files`] gives the engine the bytes of
-//! files, [`machine`] tells it how much memory is free and what time it is.
+//! Base, steps and pipeline are the engine, a separate package (`dapple-engine` in `src/engine`) on which this one
+//! depends. The engine reads bytes and writes to any writer. Files, clocks, memory and threads belong to the shell:
+//! [`files`] gives the engine the bytes of files, [`machine`] tells it how much memory is free and what time it is.
 //!
-//! `tests/layering` checks these rules. The only way back, from a grown field to parameters, goes through a file:
+//! `tests/layering` checks these rules. The opposite direction, from a grown field to parameters, goes through a file:
 //! `data-gen` writes `training/`, `learn` reads it.
 //!
 //! Most modules are internal. What a user needs of them is re-exported here, in [`document`], [`lookup`] and [`output`].
@@ -59,7 +59,7 @@
 //! | grid level | one of the coarser and finer grids on which a layer grows |
 //! | time step | one of the explicit steps of a solver that a sweep over the grid takes at once |
 //! | parameter field | the parameters of a simulation by cell |
-//! | attribute map | the attributes that are wanted at each place of the canvas |
+//! | attribute map | the attributes that the sketch asks for at each place of the canvas |
 //! | modulation | what the `maps` of a layer change in its attribute map |
 //! | cell | an element of a grid; the areas of the system `cells` are polygons in code |
 //! | patch | a mark of the system `patches`; what is grown to correct a lookup is a probe patch |
@@ -86,7 +86,7 @@ pub mod files;
 // (files before editor: it opens and saves them)
 pub mod editor;
 
-// Doors.
+// Entry points.
 #[cfg(feature = "app")]
 pub mod app;
 #[cfg(feature = "cli")]
@@ -117,7 +117,7 @@ pub mod lookup {
     pub use crate::synth::{LookedUp, Training};
 }
 
-/// Making a document of a photograph.
+/// Making a document from a photograph.
 pub mod photograph {
     pub use crate::files::import_photo;
     pub use crate::photo::{Corners, Crop, LEVELS, Limits, Neither, Wanted};
@@ -144,7 +144,7 @@ pub mod maps {
     pub use crate::document::{LayerMap, LayerMaps, MapChange, MapKey, MapSource};
 }
 
-/// What can be made of a growth: pictures, outlines, materials, films, a report, measurements.
+/// What can be made from a growth: pictures, outlines, materials, films, a report, measurements.
 pub mod output {
     pub use crate::export::Format;
     pub use crate::export::maps::{Green, Height, Surface};

@@ -1,4 +1,4 @@
-//! The front door: hands the arguments to the command line.
+//! The executable: passes its arguments to the command line.
 
 fn main() -> std::process::ExitCode {
     dapple::cli::main()

@@ -22,9 +22,9 @@ use std::io::{BufRead, Write, stdin, stdout};
 use std::path::Path;
 use std::time::Instant;
 
-/// Steps after which both sides must agree.
+/// Steps after which the results of both sides must agree.
 const CHECKED: u64 = 20;
-/// How much rate and ratio differ from place to place, so that no solver can take them as constant.
+/// Variation of rate and ratio from place to place, so that no solver can treat them as constant.
 const UNEVEN: f64 = 0.3;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -108,7 +108,8 @@ fn export(
             Tensor::oriented(1.0 / stretch, stretch, f64::from(p.direction)).weights()
         })
         .collect();
-    // The peer takes the first eight: the patterns compared have no tensors that need longer ones.
+    // The other side takes the first eight offsets: the patterns that are compared have no tensors that need longer
+    // ones.
     let planes: Vec<f32> = (0..8).flat_map(|k| weights.iter().map(move |w| w[k])).collect();
     write(folder, "weights", &planes)?;
     let mut later = growth.clone();

@@ -7,7 +7,7 @@ pub fn within(key: &str, value: f64, [low, high]: [f64; 2]) -> Result<(), String
     if low <= value && value <= high {
         Ok(())
     } else if low == high {
-        Err(format!("{key}: {value} is not {low}, all that the program grows"))
+        Err(format!("{key}: {value} is not {low}, the only value that the program grows"))
     } else {
         Err(format!("{key}: {value} is not from {low} to {high}"))
     }
@@ -24,7 +24,7 @@ pub fn check_values(key: &str, allowed: [f64; 2], range: &Range) -> Result<(), S
     within(&format!("{key}.range"), low, allowed)?;
     within(&format!("{key}.range"), high, allowed)?;
     if low > high {
-        return Err(format!("{key}.range: {low} is more than {high}; the lower stands first"));
+        return Err(format!("{key}.range: {low} is more than {high}; the lower number comes first"));
     }
     if range.scale != Scale::Linear && low <= 0.0 {
         return Err(format!("{key}.scale: a log or reciprocal scale cannot begin at {low}"));

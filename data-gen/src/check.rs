@@ -10,9 +10,9 @@ use crate::swept::Swept;
 
 /// Largest side of a patch, cells: larger patches would take hours and gigabytes.
 const MOST_CELLS: usize = 4096;
-/// Range of the spots, or wavelengths, of a patch: the mean over fewer is too uncertain.
+/// Range of the number of spots, or wavelengths, of a patch. Means over fewer are too uncertain.
 const GROWN: [f64; 2] = [6.0, 10_000.0];
-/// Largest seed of a plan: every reader of JSON holds it exactly.
+/// Largest seed of a plan: every JSON parser represents it exactly.
 const MOST_SEED: u64 = 1 << 53;
 
 /// Checks that this plan can be run.

@@ -3,7 +3,8 @@
 use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
-/// Measures the CPU time of this thread from a moment on; where the system does not tell, the time on the clock.
+/// Measures the CPU time of this thread from its creation on; where the system does not report it, the time on the
+/// clock.
 pub struct Stopwatch {
     cpu: Option<f64>,
     clock: Instant,
@@ -22,7 +23,7 @@ impl Stopwatch {
     }
 }
 
-/// CPU time of this thread so far; where the system does not tell, the time on the clock.
+/// CPU time of this thread so far; where the system does not report it, the time on the clock.
 pub fn time() -> Duration {
     static START: LazyLock<Instant> = LazyLock::new(Instant::now);
     thread_seconds().map_or_else(|| START.elapsed(), Duration::from_secs_f64)

@@ -1,4 +1,4 @@
-//! Run i of a set: its seed and its parameters, which do not depend on other runs.
+//! The seed and the parameters of run i of a set, which do not depend on other runs.
 
 use dapple_engine::learn::Parameters;
 use rand::{RngExt, SeedableRng};
@@ -8,12 +8,12 @@ use crate::plan::{Range, Scale, Set};
 use crate::swept::Swept;
 
 impl Range {
-    /// Whether it is more than one value.
+    /// Whether the range holds more than one value.
     pub fn varies(&self) -> bool {
         self.range[0] < self.range[1]
     }
 
-    /// The value at a share of the way, 0..1.
+    /// The value at a share of the range, 0..1.
     pub fn at(&self, share: f64) -> f64 {
         let [low, high] = self.range;
         match self.scale {
@@ -46,7 +46,7 @@ impl Set {
         self.parameters_at(vary.map(|varies| if varies { next.next().unwrap_or(0.0) } else { 0.0 }))
     }
 
-    /// The parameters at shares (0..1) of the way through size, packing, stretch and direction.
+    /// The parameters at shares (0..1) of the ranges of size, packing, stretch and direction.
     ///
     /// Packing is one parameter: from the lowest level to the highest with the ratio at its lowest, then from the lowest
     /// ratio to the highest. If both varied independently, many pairs would give the same density, and their mean would
@@ -57,7 +57,7 @@ impl Set {
             range.as_ref().map_or(usual, |range: &Range| range.at(share))
         };
         let [stretch, direction] = [at(&s.stretch, stretch, 1.0), at(&s.direction, direction, 0.0)];
-        // Laws of scale, good to some ten per cent: they choose what to simulate, and are not used in lookups.
+        // Scaling laws, accurate to about ten per cent. They choose what to simulate, and are not used in lookups.
         let Swept::System(system) = self.system else { unreachable!("sets of pairs draw marks") };
         let rate = system.definition().laws.rate;
         if let Some(width) = &s.width {
@@ -76,7 +76,7 @@ impl Set {
         }
     }
 
-    /// Ratio and level at a share of the way from dense to sparse.
+    /// Ratio and level at a share of the range from dense to sparse.
     fn packed(&self, at: f64) -> [f64; 2] {
         let (Some(ratio), Some(level)) = (&self.sweep.ratio, &self.sweep.level) else { return [1.0, 0.5] };
         match level.share.filter(|_| ratio.varies()) {
@@ -87,7 +87,7 @@ impl Set {
     }
 }
 
-/// Point `index` of the R_d sequence of so many dimensions, moved by an offset that comes from `seed`:
+/// Point `index` of the R_d sequence with this number of dimensions, shifted by an offset that depends on `seed`:
 ///
 /// xᵢ = frac(o + (i + 1)·α), αⱼ = φ^−(j+1), φ the positive root of φ^(d+1) = φ + 1
 ///
@@ -126,7 +126,7 @@ mod tests {
                 let ends = values[0].max(1.0 - values[999]);
                 assert!(widest.max(ends) < 0.005, "{dimensions} {axis}: {widest} {ends}");
             }
-            // Every sixteenth of the cube (two halves an axis) holds its share.
+            // Every sixteenth of the cube (each axis cut in halves) holds its share of the points.
             let cell = |point: &Vec<f64>| point.iter().fold(0, |cell, x| 2 * cell + usize::from(*x > 0.5));
             let mut counts = vec![0usize; 1 << dimensions];
             points.iter().for_each(|point| counts[cell(point)] += 1);
@@ -144,7 +144,8 @@ mod tests {
                 let (low, high) =
                     runs.iter().map(value).fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(x), h.max(x)));
                 let [from, to] = range.range;
-                // Few runs leave more at the ends, most where 1/x is spread evenly.
+                // With few runs, larger parts of the ranges remain unused at their ends, most where 1/x is evenly
+                // spread.
                 let reach = (12.0 / set.runs as f64).max(0.02) * (to - from);
                 assert!(
                     from <= low && low <= from + reach && to - reach <= high && high <= to,

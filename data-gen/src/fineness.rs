@@ -1,4 +1,5 @@
-//! What a coarse mesh does to spots: their area ÷ spacing² and their aspect by the number of vertices a spacing.
+//! Measures the effect of a coarse mesh on spots: their area ÷ spacing² and their aspect, for several numbers of
+//! vertices per spacing.
 
 mod lattice;
 mod patch;
@@ -9,7 +10,7 @@ use std::path::PathBuf;
 
 use dapple::files;
 
-/// Where to write it.
+/// Where to write the table.
 #[derive(clap::Args)]
 pub struct Args {
     /// The rows

@@ -1,5 +1,5 @@
-//! The map of what Turing's growth makes at each growth and decay (Lawlor's figure 2): patches side by side, with the borders between blank,
-//! dots, worms and holes.
+//! The map of what the system Turing's growth makes at each growth and decay (Lawlor's figure 2): patches side by side,
+//! with lines between the areas of blank, dots, worms and holes.
 
 mod patch;
 mod picture;
@@ -14,15 +14,15 @@ use rayon::prelude::*;
 
 use patch::Patch;
 
-/// Where to write it.
+/// Where to write the map.
 #[derive(clap::Args)]
 pub struct Args {
-    /// The picture without words; with the ending svg beside it that with axes, borders and names
+    /// The picture without texts; a second file with the ending svg has axes, border lines and names
     #[arg(short, long, value_name = "OUT.png", default_value = "assets/growth-map.png")]
     output: PathBuf,
 }
 
-/// Grows all patches, draws them and prints what they are.
+/// Grows all patches, draws them and prints the kind of each.
 pub fn run(args: &Args) -> Result<(), String> {
     let map = GrowthMap::SHOWN;
     let [columns, rows] = map.patches;

@@ -5,8 +5,8 @@
 //!  SET,INDEX,VERDICT,LINE       LINE as in the file of rows or of rejected runs
 //! ```
 //!
-//! A line is written at once when its run is done. Where that was interrupted, the text after the last end of line is
-//! dropped, and its run is repeated.
+//! A line is written as soon as its run is done. If writing was interrupted, the incomplete last line is dropped, and
+//! its run is repeated.
 
 use std::collections::BTreeSet;
 use std::fs::{File, OpenOptions, TryLockError};
@@ -26,7 +26,7 @@ const VERSION: u64 = 1;
 /// The version of the program.
 pub const DAPPLE: &str = env!("CARGO_PKG_VERSION");
 
-/// The journal of a sweep that runs.
+/// The journal of a sweep that is running.
 pub struct Journal {
     path: PathBuf,
     file: Mutex<File>,
@@ -40,7 +40,7 @@ impl Journal {
         let mut options = OpenOptions::new();
         let mut file =
             options.read(true).write(true).create(true).truncate(false).open(&path).map_err(failed)?;
-        // Where the file system has no locks, a sweep that is started twice is not detected.
+        // Where the file system has no locks, a second start of the same sweep is not detected.
         if let Err(TryLockError::WouldBlock) = file.try_lock() {
             return Err(format!("{}: another sweep is writing it; let it end, or stop it", path.display()));
         }
@@ -59,7 +59,8 @@ impl Journal {
             let found = parsed(&path, found)?;
             if let Some(difference) = difference(&found, &header) {
                 return Err(format!(
-                    "{}: it is of another sweep ({difference}); end that one with its own plan and options, or delete this file and lose its runs, or choose another folder with -o",
+                    "{}: it belongs to another sweep ({difference}); finish that sweep with its own plan and \
+                     options, or delete this file and lose its runs, or choose another folder with -o",
                     path.display()
                 ));
             }
@@ -75,39 +76,39 @@ impl Journal {
         let mut file = self.file.lock().map_err(|_| "another run failed".to_owned())?;
         let failed = |error: std::io::Error| {
             format!(
-                "{}: {error}; start it again when it can be written: it goes on where it was",
+                "{}: {error}; start the sweep again when the file can be written; it continues where it stopped",
                 self.path.display()
             )
         };
         let before = file.stream_position().map_err(failed)?;
         file.write_all(line.as_bytes()).map_err(|error| {
-            // Other runs are still in progress: their lines must not follow half a line.
+            // Other runs are still in progress: their lines must not follow an incomplete line.
             let _ = file.set_len(before).and_then(|()| file.seek(SeekFrom::Start(before)));
             failed(error)
         })
     }
 
-    /// Deletes it: the files of the training set hold its runs now.
+    /// Deletes the journal, because the files of the training set now hold its runs.
     pub fn remove(self) -> Result<(), String> {
         drop(self.file);
         std::fs::remove_file(&self.path).map_err(|error| format!("{}: {error}", self.path.display()))
     }
 }
 
-/// The journal of a part that was run elsewhere or before.
+/// The journal of one part of a sweep, which was run earlier or on another machine.
 pub struct Part {
     /// Its file.
     pub path: PathBuf,
     /// Which part of the sweep.
     pub shard: Shard,
-    /// Of which plan.
+    /// The plan of the sweep.
     pub plan: Plan,
     /// The runs in it.
     pub records: Vec<Record>,
 }
 
 impl Part {
-    /// Reads a journal, and leaves it as it is.
+    /// Reads a journal without changing it.
     pub fn read(path: &Path) -> Result<Self, String> {
         let bytes = std::fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
         Self::parse(path, &bytes)
@@ -138,7 +139,7 @@ fn header(shard: Shard, plan: &Plan) -> Result<Value, String> {
 }
 
 fn text(path: &Path, bytes: Vec<u8>) -> Result<String, String> {
-    String::from_utf8(bytes).map_err(|_| format!("{}: it is no text; delete it", path.display()))
+    String::from_utf8(bytes).map_err(|_| format!("{}: it is not a text file; delete it", path.display()))
 }
 
 fn first_line(text: &str) -> (&str, &str) {
@@ -150,15 +151,18 @@ fn parsed(path: &Path, header: &str) -> Result<Value, String> {
     if value["format"] == FORMAT {
         Ok(value)
     } else {
-        Err(format!("{}: it is no journal of a sweep; delete it, or choose another folder", path.display()))
+        Err(format!(
+            "{}: it is not the journal of a sweep; delete it, or choose another folder",
+            path.display()
+        ))
     }
 }
 
-/// The first place where two headers differ, in words: what was found and what was expected.
+/// The first place where two headers differ, as text: what was found and what was expected.
 pub fn difference(found: &Value, expected: &Value) -> Option<String> {
     match (found, expected) {
         (Value::Object(a), Value::Object(b)) => {
-            // Sets by their names, so that the message has them.
+            // Sets are compared by their names, so that the message can name them.
             let keys: BTreeSet<&String> = a.keys().chain(b.keys()).collect();
             keys.into_iter().find_map(|key| {
                 let inside =
@@ -194,7 +198,7 @@ fn records(path: &Path, lines: &str, shard: Shard, plan: &Plan) -> Result<Vec<Re
         .map(|(number, line)| {
             let wrong = |problem: &str| {
                 format!(
-                    "{}, line {}: {problem}; delete that line, and its run is run again",
+                    "{}, line {}: {problem}; delete that line, so that its run is repeated",
                     path.display(),
                     number + 2
                 )
@@ -203,7 +207,7 @@ fn records(path: &Path, lines: &str, shard: Shard, plan: &Plan) -> Result<Vec<Re
             if seen.insert((record.set, record.index)) {
                 Ok(record)
             } else {
-                Err(wrong("this run stands there twice"))
+                Err(wrong("this run is there twice"))
             }
         })
         .collect()

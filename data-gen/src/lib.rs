@@ -1,6 +1,7 @@
-//! The sweep, run ahead of time: parameters → simulation → measured attributes (or a rejection with its reason) →
-//! rows in `training/`. The trial: how well textures match what was drawn. The route: how well patterns grown over coarse
-//! grids match those grown by plain steps. The tables: the measurements by which constants were chosen.
+//! Tools that make and check the data of dapple. The sweep writes the training sets: parameters → simulation → measured
+//! attributes (or a rejection with its reason) → rows in `training/`. The trial measures how well textures match what
+//! was drawn. The route measures how well patterns grown over coarse grids match those grown by plain steps. The tables
+//! are the measurements by which constants were chosen.
 //!
 //! ```text
 //!  plan.json ─▶ plan ─▶ draw ─▶ run ─▶ journal (a shard's) ─┐
@@ -43,27 +44,29 @@ use clap::Parser;
 #[derive(Parser)]
 #[command(name = "data-gen", version)]
 enum Command {
-    /// Run the simulations of the training sets; write their rows, what was rejected and a manifest
+    /// Run the simulations of the training sets; write their rows, the rejected runs and a manifest
     ///
-    /// A sweep that is stopped continues where it was when it is started again.
+    /// A sweep that was stopped continues where it stopped when it is started again.
     Sweep(sweep::Args),
-    /// Make the files of parts that were swept with --shard
+    /// Join the parts of a sweep that were run with --shard, and write their files
     Merge(merge::Args),
     /// Print the built-in plan: what is swept, over which ranges, and why
     Plan,
-    /// Grow all examples and many random sketches; print how far they are from what was drawn
+    /// Grow all examples and many random sketches; print how much they differ from what was drawn
     Trial(trial::Args),
-    /// Compare patterns grown over coarse grids with the same grown by plain steps to the end
+    /// Compare patterns grown over coarse grids with patterns grown by plain steps to the end
     Route(route::Args),
     /// Draw the table of `dapple learn`
     Plot(plot::Args),
-    /// Draw what Turing's growth makes at each growth and decay: assets/growth-map.png and .svg; print it as CSV
+    /// Draw what Turing's growth makes at each growth and decay: assets/growth-map.png and .svg; print the numbers as
+    /// CSV
     GrowthMap(growth_map::Args),
     /// Measure how much smaller spots are on coarse meshes: training/fineness.csv
     Fineness(fineness::Args),
-    /// Compare what grows on models: other triangulations of one surface, other ways to spread; see docs/bodies.md and docs/turk.md
+    /// Compare growth on models: other triangulations of one surface, other ways to compute diffusion (docs/bodies.md,
+    /// docs/turk.md)
     Bodies(bodies::Args),
-    /// Print tables behind constants in the code and in docs/; run it at the root of the repository
+    /// Print the tables behind constants in the code and in docs/; run this at the root of the repository
     Tables(tables::Args),
 }
 
@@ -93,7 +96,7 @@ pub fn main() -> ExitCode {
     }
 }
 
-/// Writes a line to stdout; unlike `println!`, does not panic where stdout is closed, which is no failure.
+/// Writes a line to stdout. Unlike `println!` it does not panic where stdout is closed, which is not a failure.
 fn say(line: &str) -> Result<(), String> {
     let mut stdout = std::io::stdout().lock();
     match writeln!(stdout, "{line}").and_then(|()| stdout.flush()) {

@@ -1,4 +1,4 @@
-//! The manifest of each file of rows: what the columns are, what was swept, and how to repeat it.
+//! The manifest of each file of rows: the meaning of its columns, what was swept, and how to repeat the sweep.
 
 use serde_json::{Map, Value, json};
 
@@ -8,10 +8,10 @@ use crate::progress::Tally;
 use crate::run::Record;
 use crate::verdicts::{ACCEPTED, reasons_of};
 
-/// The version of the files of rows that it describes.
+/// The version of the files of rows that the manifest describes.
 const VERSION: u64 = 1;
 
-/// The manifest of `set`, whose runs are `records`. Nothing of it depends on when, where or in how many parts they ran.
+/// The manifest of `set`, whose runs are `records`. It does not depend on when, where or in how many parts they ran.
 pub fn manifest(plan: &Plan, set: &Set, records: &[Record]) -> Result<Value, String> {
     let tally = Tally::count_records(records);
     let rejected: Map<String, Value> =
@@ -32,7 +32,7 @@ pub fn manifest(plan: &Plan, set: &Set, records: &[Record]) -> Result<Value, Str
     }))
 }
 
-/// What makes the files of this set again.
+/// The command that makes the files of this set again.
 fn command(set: &Set) -> Result<String, String> {
     let sweep = "cargo run --release -p data-gen -- sweep";
     let built_in = Plan::built_in()?;
@@ -42,8 +42,8 @@ fn command(set: &Set) -> Result<String, String> {
         Some(planned) if *planned == (Set { runs: planned.runs, ..set.clone() }) => {
             format!("{sweep} --set {} --runs {}", set.name, set.runs)
         }
-        // The path of the plan does not matter: the plan itself is below.
-        _ => format!("{sweep} --plan PLAN.json -o DIR   # PLAN.json: what stands here under \"plan\""),
+        // The path of the plan does not matter, because the plan itself follows below.
+        _ => format!("{sweep} --plan PLAN.json -o DIR   # PLAN.json: the value of \"plan\" in this file"),
     })
 }
 

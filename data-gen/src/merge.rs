@@ -1,4 +1,4 @@
-//! Parts of a sweep that were run separately → the files of all.
+//! Joins the parts of a sweep that were run separately.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use crate::progress::Tally;
 use crate::run::Record;
 use crate::shard::Shard;
 
-/// What to merge, and where to write.
+/// The parts to join, and where to write.
 #[derive(clap::Args)]
 pub struct Args {
     /// Folders with the journals that `data-gen sweep --shard` left
@@ -20,13 +20,13 @@ pub struct Args {
     output: PathBuf,
 }
 
-/// Merges.
+/// Carries out the command.
 pub fn command(args: &Args) -> Result<(), String> {
     merge(&args.parts, &args.output)?.iter().try_for_each(|printed| crate::say(printed))
 }
 
-/// Joins all parts whose journals lie in these folders, and writes the files into `output`. The journals stay.
-/// Returns a sentence for each set.
+/// Joins all parts whose journals lie in these folders, and writes the files into `output`. The journals stay. Returns
+/// a one-line summary for each set.
 pub fn merge(folders: &[PathBuf], output: &Path) -> Result<Vec<String>, String> {
     let mut parts = Vec::new();
     for folder in folders {
@@ -64,7 +64,7 @@ fn journals(folder: &Path) -> Result<Vec<PathBuf>, String> {
     Ok(paths)
 }
 
-/// Checks that these are the parts of one sweep, each once and complete.
+/// Checks that these are all parts of one sweep, each present once and complete.
 fn check(parts: &[Part]) -> Result<(), String> {
     let Some(first) = parts.first() else { return Ok(()) };
     let mut by_part: BTreeMap<u64, &Part> = BTreeMap::new();
@@ -77,7 +77,7 @@ fn check(parts: &[Part]) -> Result<(), String> {
         });
         if let Some(apart) = apart {
             return Err(format!(
-                "{} and {} are not of one sweep ({apart})",
+                "{} and {} belong to different sweeps ({apart})",
                 part.path.display(),
                 first.path.display()
             ));
@@ -101,7 +101,8 @@ fn check(parts: &[Part]) -> Result<(), String> {
         let there = part.records.len() as u64;
         if there < expected {
             return Err(format!(
-                "{}: {there} of {expected} runs of part {shard} are there: start it again, it goes on where it was",
+                "{}: {there} of {expected} runs of part {shard} are there: start that part again, it \
+                 continues where it stopped",
                 part.path.display()
             ));
         }

@@ -31,11 +31,11 @@ pub struct Set {
     pub name: String,
     /// The system.
     pub system: Swept,
-    /// What it is for.
+    /// Its purpose.
     pub why: String,
-    /// How many simulations.
+    /// The number of simulations.
     pub runs: u64,
-    /// The seed of run 0; that of run i is i more. What each run is does not depend on how many there are.
+    /// The seed of run 0; that of run i is i more. A run does not depend on the number of runs.
     pub seed: u64,
     /// How much each run grows.
     pub patch: Size,
@@ -49,34 +49,35 @@ pub struct Set {
 pub struct Size {
     /// Spots that the patch is made for, or wavelengths along its side.
     pub grown: f64,
-    /// Fewer whole spots or wavelengths found are rejected.
+    /// The least number of whole spots or wavelengths; runs with fewer are rejected.
     pub least: f64,
     /// `spots` or `wavelengths`.
     pub unit: String,
-    /// Why so much.
+    /// The reason for this size.
     pub why: String,
 }
 
-/// What is varied; what a system does not have is left out. Of systems of pairs it is what is drawn for a run.
+/// The quantities that are varied. Those that a system does not have are left out. For systems of pairs these are the
+/// quantities that are drawn for a run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Sweep {
-    /// Area that a spot is to have, by the law of scale.
+    /// Area of the spots, by the scaling law.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub area: Option<Range>,
-    /// Width that a stripe or a line is to have.
+    /// Width of the stripes or lines.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub width: Option<Range>,
-    /// Diffusion rate of one chemical ÷ the other's.
+    /// Diffusion rate of one chemical ÷ that of the other.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ratio: Option<Range>,
-    /// Share of the peak that is a mark's edge.
+    /// Level at which a mark has its edge, as a share of the peak.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub level: Option<Range>,
     /// Minor ÷ major axis of the tensor.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stretch: Option<Range>,
-    /// Its long axis; of pairs the first direction.
+    /// Direction of the long axis of the tensor; for pairs, the first direction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub direction: Option<Range>,
     /// Number of directions.
@@ -88,10 +89,10 @@ pub struct Sweep {
     /// Width ÷ period of the other directions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub others: Option<Range>,
-    /// Period of the others ÷ that of the first direction.
+    /// Period of the other directions ÷ that of the first.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unequal: Option<Range>,
-    /// Angle between two directions.
+    /// Angle between two directions, degrees.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub between: Option<Range>,
     /// Length of the lines of a maze ÷ their period.
@@ -112,21 +113,21 @@ pub struct Sweep {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Range {
-    /// Lowest and highest.
+    /// Lowest and highest value.
     pub range: [f64; 2],
-    /// Of both.
+    /// The unit of both.
     pub unit: String,
-    /// How values are spread between them.
+    /// How values are distributed between them.
     pub scale: Scale,
-    /// Of a level where the ratio varies too: the share of the runs in which the level varies, with the ratio at
-    /// its lowest. In the others the ratio varies, with the level at its highest.
+    /// Only for a level where the ratio varies too: the share of the runs in which the level varies, with the ratio at
+    /// its lowest. In the other runs the ratio varies, with the level at its highest.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub share: Option<f64>,
-    /// Why this range.
+    /// The reason for this range.
     pub why: String,
 }
 
-/// How values are spread over a range.
+/// How values are distributed over a range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Scale {
@@ -138,9 +139,10 @@ pub enum Scale {
     Reciprocal,
 }
 
-/// A problem as it may stand in a message: it quotes what a file holds, of any length and whatever it does to a terminal.
+/// A problem as text that is safe in a message: it quotes what a file holds, which may be long and may contain control
+/// characters.
 pub fn shown(problem: &str) -> String {
-    // Bytes as they are shown: what is escaped becomes six times as long.
+    // The length counts bytes as they are shown: an escaped byte takes six.
     const LONGEST: usize = 800;
     let mut shown = String::new();
     for c in problem.chars() {

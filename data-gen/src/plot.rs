@@ -22,7 +22,7 @@ pub struct Args {
     output: PathBuf,
 }
 
-/// Methods with their colours, which colour-blind readers can distinguish too (Okabe & Ito, 2008), on white as on
+/// Methods with their colours, which colour-blind readers can distinguish as well (Okabe & Ito, 2008), on white and on
 /// black.
 const METHODS: [(&str, &str); 4] = [
     ("nearest neighbour", "#cc79a7"),
@@ -30,18 +30,18 @@ const METHODS: [(&str, &str); 4] = [
     ("LWR", "#009e73"),
     ("LWR + refinement", "#d55e00"),
 ];
-/// Of words and axes: as far from white as from black.
+/// The colour of texts and axes: equally far from white and from black.
 const GREY: &str = "#7a7a7a";
 
-/// px of a panel with its words, and of the plot inside.
+/// Size of a panel with its texts, and of the plot inside, px.
 const PANEL: [f64; 2] = [240.0, 210.0];
 const PLOT: [f64; 2] = [180.0, 140.0];
-/// px from a panel's corner to the plot's.
+/// Distance of the plot's corner from the panel's corner, px.
 const INSET: [f64; 2] = [46.0, 28.0];
-/// px above all panels, for the legend; above the panels of a system, for its name.
+/// Space above all panels, for the legend, and above the panels of a system, for its name, px.
 const LEGEND: f64 = 48.0;
 const NAME: f64 = 34.0;
-/// px that a number of rows takes.
+/// Width of a number of rows, px.
 const NUMBER: f64 = 26.0;
 
 /// Draws the table.
@@ -55,13 +55,13 @@ pub fn run(args: &Args) -> Result<bool, String> {
     Ok(true)
 }
 
-/// Panels in rows: those of a system and a kind of error side by side.
+/// Panels in rows: those of one system and one kind of error side by side.
 fn svg(panels: &[Panel]) -> String {
     let (mut body, mut y, mut most) = (String::new(), LEGEND, 3);
     for row in panels.chunk_by(|a, b| (&a.system, &a.errors) == (&b.system, &b.errors)) {
         let what = match row[0].errors.as_str() {
-            "grown" => "random targets grown anew",
-            _ => "parameters of rows held out",
+            "grown" => "random targets that were grown",
+            _ => "parameters of rows left out of the training",
         };
         body += &words([8.0, y + 20.0], "start", 14, &format!("{}: {what}", row[0].system));
         y += NAME;
@@ -91,19 +91,18 @@ fn legend() -> String {
         svg += &words([x + 13.0, 20.0], "start", 12, method);
         x += 30.0 + 6.4 * method.len() as f64;
     }
-    let note =
-        "solid: median; dashed: 95th percentile of |error|; across: rows learnt from, the last all there are";
+    let note = "solid: median; dashed: 95th percentile of |error|; x: number of training rows, the last number is all";
     svg + &words([8.0, 38.0], "start", 11, note)
 }
 
-/// `text` at a place; `anchor` says which end of the text is there.
+/// `text` at a place; `anchor` says which end of the text is at the place.
 fn words([x, y]: [f64; 2], anchor: &str, size: u32, text: &str) -> String {
     format!(
         "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\" font-size=\"{size}\" fill=\"{GREY}\">{text}</text>\n"
     )
 }
 
-/// One panel, its plot's upper left corner at `at`.
+/// One panel; the upper left corner of its plot is at `at`.
 fn drawn(panel: &Panel, at: [f64; 2]) -> String {
     let curves = || panel.curves.iter().flat_map(|curve| &curve.points);
     let across = Axis::over(curves().map(|point| point.rows), [at[0], at[0] + PLOT[0]], 0.1);
@@ -124,7 +123,7 @@ fn drawn(panel: &Panel, at: [f64; 2]) -> String {
     svg += &words([at[0] - 5.0, at[1] + PLOT[1] + 14.0], "end", 10, "rows");
     let rows = panel.rows();
     for (i, &value) in rows.iter().enumerate() {
-        // A number without room before the next is left out; its dots show where it was.
+        // A number is left out where the next one is too close; the dots still show its place.
         let room = rows.get(i + 1).map_or(f64::INFINITY, |next| across.at(*next) - across.at(value));
         if room > NUMBER {
             svg += &words([across.at(value), at[1] + PLOT[1] + 14.0], "middle", 10, &value.to_string());
@@ -172,9 +171,14 @@ mod tests {
     fn every_method_has_its_lines_in_every_panel() {
         let svg = svg(&table::panels(TABLE).unwrap());
         assert_eq!(svg.matches("<polyline").count(), 2 * 3);
-        for word in
-            ["turing-spots: parameters of rows held out", "rate, %", "area, %", ">30<", ">100<", ">LWR<"]
-        {
+        for word in [
+            "turing-spots: parameters of rows left out of the training",
+            "rate, %",
+            "area, %",
+            ">30<",
+            ">100<",
+            ">LWR<",
+        ] {
             assert!(svg.contains(word), "{word} in {svg}");
         }
         assert!(!svg.contains("level") && !svg.contains("failed"), "{svg}");

@@ -1,4 +1,4 @@
-//! Progress of a sweep: a bar on a terminal, a sentence at the end.
+//! Progress of a sweep: a bar on a terminal, a summary at the end.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -17,7 +17,7 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Of these runs.
+    /// The counts of these runs.
     pub fn count_records<'a>(records: impl IntoIterator<Item = &'a Record>) -> Self {
         let mut tally = Self::default();
         for record in records {
@@ -26,7 +26,7 @@ impl Tally {
         tally
     }
 
-    /// Counts one more.
+    /// Counts one more run.
     pub fn add(&mut self, verdict: &'static str) {
         *self.counts.entry(verdict).or_default() += 1;
     }
@@ -55,14 +55,14 @@ impl std::fmt::Display for Tally {
     }
 }
 
-/// The bar of one set. Nothing is drawn where stderr is no terminal.
+/// The bar of one set. Nothing is drawn where stderr is not a terminal.
 pub struct Bar {
     bar: ProgressBar,
     tally: Mutex<Tally>,
 }
 
 impl Bar {
-    /// A bar for so many runs of the set `name`, of which `before` were done earlier.
+    /// A bar for `runs` runs of the set `name`, of which `before` were done earlier.
     pub fn new(name: &str, runs: u64, before: Tally) -> Self {
         let style =
             ProgressStyle::with_template("{prefix} {bar:20} {pos}/{len}  {elapsed} gone, {eta} left  {msg}");
@@ -76,7 +76,7 @@ impl Bar {
         Self { bar, tally: Mutex::new(before) }
     }
 
-    /// One more run is done.
+    /// Counts one more finished run.
     pub fn done(&self, verdict: &'static str) {
         self.bar.inc(1);
         if let Ok(mut tally) = self.tally.lock() {
@@ -91,7 +91,7 @@ impl Bar {
     }
 }
 
-/// The summary of a set in a sentence: `ran` runs in this time, the others before.
+/// The summary of a set: `ran` runs took this time, the others were done before.
 pub fn summary(name: &str, tally: &Tally, ran: u64, time: Duration) -> String {
     let seconds = time.as_secs_f64();
     let speed =

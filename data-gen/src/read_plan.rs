@@ -33,7 +33,7 @@ impl Plan {
         Self::from_json(&value).map_err(|problem| format!("{file}: {}", shown(&problem)))
     }
 
-    /// The plan that this is.
+    /// The plan in a JSON value.
     pub fn from_json(value: &Value) -> Result<Self, String> {
         let format = value.get("format").and_then(Value::as_str);
         if format != Some(FORMAT) {
@@ -54,7 +54,7 @@ impl Plan {
         Ok(plan)
     }
 
-    /// The sets of these names (all where none is named), each with so many runs (as planned where `None`).
+    /// The sets with these names (all where no name is given), each with this number of runs (as planned where `None`).
     pub fn chosen(mut self, names: &[String], runs: Option<u64>) -> Result<Self, String> {
         if let Some(unknown) = names.iter().find(|name| !self.sets.iter().any(|set| set.name == **name)) {
             let sets: Vec<&str> = self.sets.iter().map(|set| set.name.as_str()).collect();
@@ -69,7 +69,7 @@ impl Plan {
     }
 }
 
-/// `sets[2].sweep.area` → `set 'turing-spots-size', sweep.area`.
+/// A place in messages: `sets[2].sweep.area` → `set 'turing-spots-size', sweep.area`.
 fn place(value: &Value, path: &str) -> String {
     let Some((number, rest)) = path.strip_prefix("sets[").and_then(|rest| rest.split_once(']')) else {
         return path.to_owned();

@@ -1,5 +1,5 @@
-//! Compares the fast route with the long one: the same seeds and grids, grown over coarse grids until settled, and by plain
-//! Euler steps on the planned grid alone.
+//! Compares the fast route with the long one, on the same seeds and grids: growth over coarse grids until settled, and
+//! growth by plain Euler steps on the planned grid alone.
 
 use dapple_engine::attributes::Attributes;
 use dapple_engine::grid::{Edges, Field};
@@ -11,13 +11,13 @@ use serde_json::{Map, Value, json};
 /// What to compare.
 #[derive(clap::Args)]
 pub struct Args {
-    /// Seeds a system and shape
+    /// Seeds for each system and shape
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u64).range(1..=1_000))]
     seeds: u64,
     /// Print each seed, not only means
     #[arg(long)]
     each: bool,
-    /// Print one JSON object instead, once all is compared
+    /// Print one JSON object instead, once all comparisons are done
     #[arg(long)]
     json: bool,
     /// Threads to use [default: all cores]
@@ -25,7 +25,7 @@ pub struct Args {
     threads: Option<u16>,
 }
 
-/// A wrapped patch of one kind of mark, of the size in cells that is planned.
+/// A seamless patch with one kind of mark, whose size in cells is the planned one.
 struct Patch {
     system: System,
     rate: f32,
@@ -37,13 +37,13 @@ struct Patch {
     level: f64,
 }
 
-/// Squared spacings (or wavelengths) that a patch holds.
+/// The number of squared spacings (or wavelengths) in a patch.
 const MARKS: f64 = 92.0;
-/// Mean differences allowed over the seeds: %, %, %, %, degrees.
+/// The largest allowed mean differences over the seeds: %, %, %, %, degrees.
 const BOUNDS: [f64; 5] = [1.0, 1.0, 1.0, 1.0, 0.3];
 /// Their names in JSON: differences in %, of the angle in degrees.
 const NAMES: [&str; 5] = ["marks", "area_or_width", "spacing_or_wavelength", "aspect", "angle"];
-/// Rounder spots have no direction.
+/// The aspect above which spots are too round to have a direction.
 const ROUND: f64 = 0.85;
 
 fn patches() -> Vec<Patch> {
@@ -82,7 +82,7 @@ struct Pair {
     settled: bool,
 }
 
-/// Compares and prints the table. Returns whether all means are within bounds.
+/// Compares and prints the table. Returns whether all means are within the bounds.
 pub fn run(args: &Args) -> Result<bool, String> {
     if let Some(threads) = args.threads {
         rayon::ThreadPoolBuilder::new()
@@ -118,7 +118,7 @@ pub fn run(args: &Args) -> Result<bool, String> {
     Ok(good)
 }
 
-/// Compares all, prints the numbers of the table and those of each seed.
+/// Compares all patches, and prints the numbers of the table and those of each seed.
 fn print_json(seeds: u64) -> Result<bool, String> {
     let mut good = true;
     let mut output = Vec::new();
@@ -134,7 +134,7 @@ fn print_json(seeds: u64) -> Result<bool, String> {
 
 /// The summary over the seeds of a patch.
 struct Summary {
-    /// Mean and largest difference, where one means anything.
+    /// Mean and largest difference, where the difference has a meaning.
     differences: [Option<[f64; 2]>; 5],
     steps: [u64; 2],
     good: bool,
@@ -210,7 +210,7 @@ impl Patch {
         patch.measure(marks).map_err(|reason| reason.to_string())
     }
 
-    /// Prints a line. Returns whether it is within bounds.
+    /// Prints a line. Returns whether it is within the bounds.
     fn tell(&self, pairs: &[Pair]) -> Result<bool, String> {
         let Summary { differences, steps, good } = Summary::from_pairs(pairs);
         let cells = differences.map(|found| {
@@ -267,7 +267,7 @@ mod tests {
         let pairs = [pair(1.5, None), pair(-0.5, Some(0.4))];
         let summary = Summary::from_pairs(&pairs);
         assert_eq!(summary.differences[1], Some([0.5, 1.5]));
-        // The mean turn, of the one seed that has a direction, is over its bound.
+        // The mean rotation, of the only seed that has a direction, is over its bound.
         assert!(!summary.good && Summary::from_pairs(&[pair(0.9, None)]).good);
         let output = patches()[0].json(&pairs, &summary);
         assert_eq!(

@@ -13,11 +13,11 @@ use crate::verdicts::ACCEPTED;
 /// The result of a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Record {
-    /// The number of its set in the plan.
+    /// The index of its set in the plan.
     pub set: usize,
-    /// Its own number in that.
+    /// Its index in the set.
     pub index: u64,
-    /// `ACCEPTED`, or why not, in one word.
+    /// `ACCEPTED`, or the reason for its rejection, in one word.
     pub verdict: &'static str,
     /// Its line in the file of rows, or in that of rejected runs.
     pub line: String,
@@ -60,7 +60,7 @@ fn rejected(seed: u64, parameters: &Parameters, reason: &Reason) -> String {
         line.push(',');
         line.push_str(&six_digits(value));
     }
-    // The sentences hold no quotes.
+    // The texts contain no quotes.
     format!("{line},{},\"{reason}\"", reason.kind())
 }
 

@@ -3,28 +3,28 @@
 use std::fmt;
 use std::str::FromStr;
 
-/// Part `part` of `of`, from 1.
+/// Part `part` of `of` parts, counted from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Shard {
-    /// Which part.
+    /// The number of this part.
     pub part: u64,
-    /// Of how many.
+    /// The number of parts.
     pub of: u64,
 }
 
-/// Parts that a sweep may be cut into.
+/// The most parts into which a sweep can be divided.
 const MOST: u64 = 100_000;
 
 impl Shard {
-    /// All of it.
+    /// The whole sweep as one part.
     pub const WHOLE: Self = Self { part: 1, of: 1 };
 
-    /// Whether this run belongs to it.
+    /// Whether this run belongs to the part.
     pub fn holds(self, index: u64) -> bool {
         index % self.of == self.part - 1
     }
 
-    /// How many of runs 0..`runs` belong to it.
+    /// The number of runs among 0..`runs` that belong to the part.
     pub fn count(self, runs: u64) -> u64 {
         (runs + self.of - self.part) / self.of
     }

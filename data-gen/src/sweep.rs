@@ -22,13 +22,13 @@ pub struct Args {
     /// Only this set; may be given more than once
     #[arg(long, value_name = "NAME")]
     set: Vec<String>,
-    /// Simulations a set [default: as planned for each]
+    /// Simulations for each set [default: the planned number]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MOST_RUNS))]
     runs: Option<u64>,
     /// The folder to write into [default: training]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Run only this part of it, such as 3/16, and leave its journal for `data-gen merge`
+    /// Run only this part of the sweep, such as 3/16, and keep its journal for `data-gen merge`
     #[arg(long, value_name = "I/N")]
     shard: Option<Shard>,
     /// Threads to use [default: all cores]
@@ -36,7 +36,7 @@ pub struct Args {
     threads: Option<u16>,
 }
 
-/// Sweeps, and writes the files, or with `--shard` the journal of that part.
+/// Runs the sweep, and writes the files, or with `--shard` the journal of that part.
 pub fn command(args: &Args) -> Result<(), String> {
     if let Some(threads) = args.threads {
         rayon::ThreadPoolBuilder::new()
@@ -52,14 +52,15 @@ pub fn command(args: &Args) -> Result<(), String> {
         Some(shard) => {
             part(&plan, &folder, shard)?;
             crate::say(&format!(
-                "part {shard} is done: {}; when all parts are, `data-gen merge` makes the files of them",
+                "part {shard} is done: {}; when all parts are done, `data-gen merge` writes their files",
                 folder.join(shard.journal()).display()
             ))
         }
     }
 }
 
-/// Runs what is not yet in the journal, writes the files, and deletes the journal. Returns the number of new runs.
+/// Runs the simulations that are not yet in the journal, writes the files, and deletes the journal. Returns the number
+/// of new runs.
 pub fn whole(plan: &Plan, folder: &Path) -> Result<u64, String> {
     let Swept { journal, records, ran } = sweep(plan, folder, Shard::WHOLE)?;
     files::write(folder, plan, records)?;
@@ -67,12 +68,12 @@ pub fn whole(plan: &Plan, folder: &Path) -> Result<u64, String> {
     Ok(ran)
 }
 
-/// Runs what of a part is not yet in its journal. Returns the number of new runs.
+/// Runs the simulations of a part that are not yet in its journal. Returns the number of new runs.
 pub fn part(plan: &Plan, folder: &Path, shard: Shard) -> Result<u64, String> {
     Ok(sweep(plan, folder, shard)?.ran)
 }
 
-/// What was swept.
+/// The result of a sweep.
 struct Swept {
     journal: Journal,
     /// All runs of this part, in any order.
@@ -110,8 +111,7 @@ fn sweep(plan: &Plan, folder: &Path, shard: Shard) -> Result<Swept, String> {
     Ok(Swept { journal, records, ran })
 }
 
-/// Does `work` with each of `items`, as many at a time as there are threads, each on one thread by itself; stops at
-/// the first that fails.
+/// Does `work` with each of `items`. One thread works on one item at a time. Stops at the first failure.
 ///
 /// Runs take from milliseconds to half a minute: each thread takes the next item when it is free. If the inner parallel work
 /// (stepping and measuring a patch) shared the same pool, a waiting thread would start another run within its own, and so on.

@@ -1,11 +1,11 @@
-//! What a set is of: a system, or a system of pairs, by its name in documents.
+//! The subject of a set: a system, or a system of pairs, by its name in documents.
 
 use dapple_engine::attributes::system::Description;
 use dapple_engine::document::systems::of_pairs;
 use dapple_engine::rd::System;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 
-/// What a set is of.
+/// The subject of a set.
 #[derive(Clone, Copy, Debug)]
 pub enum Swept {
     /// A system whose parameters are drawn.
@@ -15,7 +15,7 @@ pub enum Swept {
 }
 
 impl Swept {
-    /// What the program knows of it.
+    /// The description of the system.
     pub fn description(self) -> &'static Description {
         match self {
             Self::System(system) => system.description(),

@@ -100,7 +100,7 @@ fn a_manifest_lists_columns_units_ranges_plan_counts_and_the_command() {
     areas.sort_by(f64::total_cmp);
     assert_eq!(columns[area]["range"], json!([areas[0], areas[areas.len() - 1]]));
 
-    // The plan in it makes the same files only.
+    // The plan in the manifest makes the same files.
     assert!(manifest["command"].as_str().unwrap().contains("--plan PLAN.json"));
     let again = folder();
     whole(&Plan::from_json(&manifest["plan"]).unwrap(), again.path()).unwrap();
@@ -125,7 +125,7 @@ fn an_interrupted_sweep_continues_and_repeats_no_run() {
     let whole_files = plain();
     let folder = folder();
     let journal = folder.path().join("sweep.journal");
-    // As a killed sweep leaves it: some lines, the last one incomplete.
+    // The state that a killed sweep leaves: some lines, the last one incomplete.
     part(&plan(), folder.path(), Shard::WHOLE).unwrap();
     let full = std::fs::read_to_string(&journal).unwrap();
     let lines: Vec<&str> = full.lines().collect();
@@ -186,10 +186,10 @@ fn missing_or_duplicate_parts_are_not_merged() {
     part(&plan(), two.path(), Shard { part: 2, of: 2 }).unwrap();
     let journal = two.path().join("sweep-2-of-2.journal");
     let full = std::fs::read_to_string(&journal).unwrap();
-    // A run is missing, and half of its line.
+    // A run is missing, and half of its line is there.
     std::fs::write(&journal, &full[..full.len() - 5]).unwrap();
-    refused(&[path(&one), path(&two)], &["sweep-2-of-2.journal", "2 of 3 runs", "goes on"]);
-    // A run twice.
+    refused(&[path(&one), path(&two)], &["sweep-2-of-2.journal", "2 of 3 runs", "start that part again"]);
+    // A run is there twice.
     let last = full.lines().last().unwrap();
     std::fs::write(&journal, format!("{full}{last}\n")).unwrap();
     refused(&[path(&one), path(&two)], &["line 5", "twice"]);
@@ -197,7 +197,7 @@ fn missing_or_duplicate_parts_are_not_merged() {
     refused(&[path(&one), path(&two)], &["line", "damaged"]);
     std::fs::write(&journal, &full).unwrap();
     merge(&[path(&one), path(&two)], output.path()).unwrap();
-    // Of another plan.
+    // A part of another plan.
     let mut other = tiny();
     other["sets"][0]["seed"] = json!(40);
     std::fs::remove_file(&journal).unwrap();
@@ -222,7 +222,7 @@ fn a_journal_of_another_plan_is_refused_and_kept() {
     refused(&plan(), &["has meinhardt-stripes there, meinhardt-spots-mine, meinhardt-stripes here"]);
     std::fs::write(folder.path().join("sweep.journal"), "something else\n").unwrap();
     let error = whole(&begun, folder.path()).unwrap_err();
-    assert!(error.contains("no journal of a sweep"), "{error}");
+    assert!(error.contains("not the journal of a sweep"), "{error}");
 }
 
 #[test]
@@ -271,7 +271,7 @@ fn an_invalid_range_is_reported_with_set_key_value_and_the_allowed_range() {
     let mut turing = Plan::built_in().unwrap();
     turing.sets[0].sweep.ratio.as_mut().unwrap().range = [3.8, 8.0];
     let error = Plan::from_json(&serde_json::to_value(&turing).unwrap()).unwrap_err();
-    assert!(error.contains("sweep.ratio.range: 8 is not 3.8, all that the program grows"), "{error}");
+    assert!(error.contains("sweep.ratio.range: 8 is not 3.8"), "{error}");
 }
 
 #[test]
@@ -361,7 +361,7 @@ fn the_readme_beside_the_files_lists_sets_columns_and_reasons() {
     }
 }
 
-/// Found by fuzzing: what a plan or a journal holds was quoted as it is.
+/// Found by fuzzing: text from a plan or a journal was quoted without escaping.
 #[test]
 fn quoted_text_of_a_plan_is_escaped_and_shortened() {
     let long = "x".repeat(100_000);

@@ -1,4 +1,4 @@
-//! The verdicts on runs, as files name them.
+//! The verdicts on runs, as they are written in files.
 
 use dapple_engine::measure::Reason;
 use dapple_engine::synth::PairReason;
@@ -14,7 +14,7 @@ pub fn reasons() -> impl Iterator<Item = &'static str> {
     Reason::KINDS.into_iter().chain(of_pairs)
 }
 
-/// The reasons for which runs of a set of this are rejected.
+/// The reasons for which runs of a set of this system are rejected.
 pub fn reasons_of(system: Swept) -> Vec<&'static str> {
     match system {
         Swept::System(_) => Reason::KINDS.into(),

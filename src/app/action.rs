@@ -14,7 +14,7 @@ use crate::editor::picture_use::PictureUse;
 use crate::editor::selection::Place;
 use crate::editor::snap::Snap;
 
-/// Factor by which marks become wider or larger at a time.
+/// The factor by which one press of a key makes marks wider or larger.
 pub const WIDER: f64 = 1.1;
 
 /// What an empty canvas can begin with.
@@ -28,12 +28,12 @@ pub enum Beginning {
     Cow,
 }
 
-/// What a user asks for.
+/// What a user can ask for.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
     /// Ask for the properties of a new document.
     New,
-    /// Ask which document to open.
+    /// Ask the user which document to open.
     Open,
     /// Open this document.
     OpenFile(PathBuf),
@@ -55,7 +55,7 @@ pub enum Action {
     Import,
     /// Ask for a photograph that becomes a document.
     ImportPhoto,
-    /// Open the sketch that was made of a photograph.
+    /// Open the sketch that was made from a photograph.
     TakePhoto,
     /// Ask for a palette whose colours the active layer takes.
     OpenPalette,
@@ -69,7 +69,7 @@ pub enum Action {
     Undo,
     /// Redo the step that was undone.
     Redo,
-    /// Copy the selected marks, and delete them.
+    /// Copy the selected marks, then delete them.
     Cut,
     /// Copy the selected marks.
     Copy,
@@ -89,7 +89,7 @@ pub enum Action {
     SelectAll,
     /// Select these marks.
     SelectMarks(Vec<Place>),
-    /// Cancel what is being drawn; where nothing is, select nothing.
+    /// Cancel the stroke that is being drawn; if there is none, clear the selection.
     Escape,
     /// Select the next mark (1) or the previous one (−1).
     Next(isize),
@@ -140,9 +140,9 @@ pub enum Action {
     Regions(bool),
     /// Show fitted marks, neighbours and mean marks.
     Analysis(bool),
-    /// Show the sizes and directions that free marks want between them.
+    /// Show the sizes and directions that the free marks ask for in the space between them.
     Wanted(bool),
-    /// Show them if they are hidden, else hide them.
+    /// Show these sizes and directions if they are hidden, else hide them.
     ToggleWanted,
     /// Set the grid that marks snap to.
     Snap(Snap),
@@ -180,7 +180,8 @@ pub enum Action {
     Restore(String),
     /// Delete the recovered document with this id.
     Discard(String),
-    /// Replace the marks of a region by the nearest ones that can be grown: layer of the finished document, (column, row).
+    /// Replace the marks of a region by the most similar ones that can be grown: layer of the finished document,
+    /// (column, row).
     Reach(usize, [usize; 2]),
     /// Show the training cloud of a region of a layer of the finished document, or hide it.
     Cloud(Option<(usize, [usize; 2])>),

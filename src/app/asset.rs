@@ -13,7 +13,7 @@ pub struct Asset {
     pub name: &'static str,
     /// The ending of its name.
     pub ending: &'static str,
-    /// What it holds; nothing in a browser, which loads it.
+    /// The bytes of the file; none in a browser, which loads the file when it is needed.
     pub bytes: &'static [u8],
 }
 

@@ -47,10 +47,11 @@ pub fn texture(ctx: &Context, asset: Asset) -> Option<TextureHandle> {
     Some(texture)
 }
 
-/// Reads and decodes a picture; in a browser not on the page's thread, which must not wait.
+/// Reads and decodes a picture. In a browser this must not run on the page's thread, which must not block.
 ///
 /// # Errors
-/// It could not be loaded.
+///
+/// Where the picture cannot be loaded.
 pub fn image(asset: Asset) -> io::Result<ColorImage> {
     decoded(&platform::asset_read(asset)?)
 }

@@ -1,4 +1,4 @@
-//! The checkerboard beneath what is transparent.
+//! The checkerboard that is shown under transparent parts.
 
 use egui::{
     Color32, ColorImage, Id, Painter, Rect, Shape, TextureHandle, TextureOptions, epaint::Mesh, pos2,
@@ -7,7 +7,7 @@ use egui::{
 /// Side of a square, points.
 const SQUARE: f32 = 8.0;
 
-/// Paints it into `rect`.
+/// Paints the checkerboard into `rect`.
 pub fn paint(painter: &Painter, rect: Rect) {
     let mut mesh = Mesh::with_texture(squares(painter).id());
     let tiles = Rect::from_min_size(pos2(0.0, 0.0), rect.size() / (2.0 * SQUARE));

@@ -1,4 +1,4 @@
-//! File dialogs: the system's where it has one, else our own.
+//! File dialogs: the system's own where it has one, else one that dapple shows.
 
 use std::path::{Path, PathBuf};
 
@@ -20,7 +20,7 @@ pub enum Choice {
     Waiting,
 }
 
-/// Width of our own dialog, points.
+/// Width of the dialog that dapple shows, points.
 const WIDTH: f32 = 480.0;
 
 /// A file dialog.
@@ -35,11 +35,11 @@ pub struct Chooser {
     entries: Vec<(String, bool)>,
     /// The folder that is being listed.
     listing: Option<Task<Listing>>,
-    /// The path that was chosen, while dapple finds out what is there.
+    /// The path that was chosen, while dapple checks what is there.
     checking: Option<(PathBuf, Task<Kind>)>,
     /// Why a folder cannot be listed.
     problem: Option<String>,
-    /// The existing file that the user was asked about: the next choice of it replaces it.
+    /// The existing file about which the user was asked. If it is chosen again, it is replaced.
     replaces: Option<PathBuf>,
     fresh: bool,
 }
@@ -71,7 +71,7 @@ impl Chooser {
         chooser
     }
 
-    /// Whether it is our own dialog.
+    /// Whether the dialog is shown by dapple, not by the system.
     #[must_use]
     pub fn is_ours(&self) -> bool {
         self.system.is_none()
@@ -87,7 +87,7 @@ impl Chooser {
         }
     }
 
-    /// Whether a folder or file is being looked at.
+    /// Whether a folder or file is being read.
     #[must_use]
     pub fn is_busy(&self) -> bool {
         self.listing.is_some() || self.checking.is_some()
@@ -115,7 +115,7 @@ impl Chooser {
         }
     }
 
-    /// Shows the contents of our own dialog.
+    /// Shows the contents of dapple's own dialog.
     pub fn ui(&mut self, ui: &mut Ui) -> Choice {
         self.listen_to_listing();
         let mut choice = self.checked();
@@ -167,7 +167,7 @@ impl Chooser {
         choice
     }
 
-    /// The folder, and what is in it. Returns whether a file was chosen.
+    /// The folder and its files. Returns whether a file was chosen.
     fn folder_ui(&mut self, ui: &mut Ui) -> bool {
         ui.horizontal(|ui| {
             let up = self.folder.parent().map(Path::to_owned);
@@ -224,7 +224,8 @@ impl Chooser {
         }
     }
 
-    /// Finds out what is at `path`; [`Self::checked`] goes on. Without a thread the window waits for it.
+    /// Checks what is at `path`; [`Self::checked`] continues. Where no thread can be started, the window blocks until
+    /// that is done.
     fn check(&mut self, path: PathBuf) -> Choice {
         match folder::look_at(&path, &self.tasks) {
             Ok(task) => {
@@ -238,7 +239,7 @@ impl Chooser {
         }
     }
 
-    /// The choice, once it is known what is at the chosen path.
+    /// The choice, once the check of the chosen path has ended.
     fn checked(&mut self) -> Choice {
         let Some((_, task)) = &mut self.checking else { return Choice::Waiting };
         let kind = task.poll();

@@ -117,7 +117,7 @@ pub const GALLERY: &[Example] = documents![
     "phan-grimm-16-anisotropic-spots" "Long spots" "Phan & Grimm, fig. 16",
 ];
 
-/// The pictures of the examples; they are decoded beside the window when the page is first shown.
+/// The pictures of the examples; they are decoded on another thread when the page is first shown.
 #[derive(Default)]
 pub struct Gallery {
     textures: Vec<TextureHandle>,
@@ -125,7 +125,7 @@ pub struct Gallery {
 }
 
 impl Gallery {
-    /// Shows the page; returns the example that is chosen. Pictures that are not decoded yet are empty.
+    /// Shows the page; returns the example that was clicked. Pictures that are not decoded yet are empty.
     pub fn ui(&mut self, ui: &mut Ui, tasks: &Tasks) -> Option<Action> {
         if self.textures.is_empty() {
             self.load(ui, tasks);
@@ -167,7 +167,7 @@ impl Gallery {
         };
         self.loading = tasks.start("the pictures of the examples", work).ok();
         if self.loading.is_none() {
-            // Without a thread the window waits for them.
+            // Where no thread can be started, the window blocks until they are decoded.
             for (index, example) in all() {
                 self.textures[index].set(picture(example), TextureOptions::LINEAR);
             }
@@ -194,12 +194,12 @@ pub fn thumbnail(ctx: &Context, name: &str) -> Option<TextureHandle> {
     assets::texture(ctx, named(name)?.picture)
 }
 
-/// Most pictures a row.
+/// The largest number of pictures in a row.
 const COLUMNS: usize = 6;
 /// Width of a picture with what is around it, points.
 const CELL: f32 = SIDE + 30.0;
 
-/// Pictures a row: fewer on a small screen.
+/// The number of pictures in a row: fewer on a small screen.
 fn columns(ctx: &Context) -> usize {
     let fit = (ctx.content_rect().width() - 40.0) / CELL;
     if is_small(ctx) { (fit as usize).clamp(1, COLUMNS) } else { COLUMNS }
@@ -242,7 +242,7 @@ fn card(ui: &mut Ui, example: &Example, texture: &TextureHandle) -> bool {
 /// Side of a picture, points.
 const SIDE: f32 = 104.0;
 
-/// The picture of an example; empty where it does not arrive.
+/// The picture of an example; an empty one where it cannot be loaded.
 fn picture(example: &Example) -> ColorImage {
     assets::image(example.picture).unwrap_or_else(|_| ColorImage::filled([1, 1], Color32::TRANSPARENT))
 }

@@ -11,15 +11,16 @@ use crate::editor::units::Ruler;
 pub const SIDES: std::ops::RangeInclusive<u32> = 16..=8192;
 
 /// The tooltip of regions.
-pub const REGIONS: &str = "Off: each mark sets what grows around it. On: the canvas is cut into columns and rows, and the \
-                           mean of the marks in a region sets what grows there; between regions it changes smoothly.";
+pub const REGIONS: &str = "Off: each mark sets what grows around it. On: the canvas is divided into columns \
+                           and rows, and the average of the marks in a region sets what grows there; from \
+                           region to region the texture changes gradually.";
 /// The tooltip of *Seamless*.
 pub const SEAMLESS: &str = "The left edge continues at the right one, the top at the bottom: copies of the texture can be put \
                             side by side without a seam.";
 
-/// The tooltip of the resolution.
+/// The tooltip of the resolution field.
 pub const DPI: &str =
-    "Dots per inch: the size of a px in print, and of a px in mm. The texture does not depend on it.";
+    "Dots per inch: how large one px is in print, and in mm. The texture does not depend on it.";
 
 /// Fields for width and height of a canvas, shown in the units of `ruler`. Gives whether one changed.
 pub fn sides(
@@ -59,11 +60,11 @@ pub fn pair(
     changed
 }
 
-/// A switch for regions, and where it is on fields for their columns and rows; `names` are those of all three. Gives
-/// whether they changed.
+/// A switch for regions; where it is on, also fields for their columns and rows. `names` are the accessible names of
+/// all three. Returns whether one of them changed.
 pub fn regions(ui: &mut Ui, regions: &mut Option<[u32; 2]>, names: [&str; 3]) -> bool {
     let mut on = regions.is_some();
-    let text = if on { "" } else { "off" };
+    let text = if on { "" } else { "divide the canvas" };
     let mut changed = ui.checkbox(&mut on, text).accessible_name(names[0]).on_hover_text(REGIONS).changed();
     if changed {
         *regions = on.then_some(NEW_REGIONS);

@@ -34,7 +34,7 @@ pub struct Notice {
 
 /// Most notices at a time; the oldest are removed.
 const MOST: usize = 4;
-/// Width that is left to the buttons beside the text, points.
+/// Width that is reserved for the buttons beside the text, points.
 const BUTTONS: f32 = 120.0;
 /// Seconds for which a notice of success is shown.
 const DONE: f64 = 4.0;
@@ -83,7 +83,7 @@ impl Notices {
         self.unshown
     }
 
-    /// Shows them in `room` from now on: they must not lie over the panels.
+    /// Sets the part of the window in which notices are shown, so that they do not cover the panels.
     pub fn keep_in(&mut self, room: Rect) {
         self.room = Some(room);
     }

@@ -15,10 +15,12 @@ use crate::files::as_link;
 #[derive(Debug, thiserror::Error)]
 pub enum OpenError {
     /// There is no display.
-    #[error("there is no display to open a window on; allowed without one: dapple grow FILE -o OUT.png")]
+    #[error(
+        "there is no display on which a window could open; without a display, use: dapple grow FILE -o OUT.png"
+    )]
     NoDisplay,
     /// The window system or the graphics card refused: why.
-    #[error("the window could not be opened: {0}; without one: dapple grow FILE -o OUT.png")]
+    #[error("the window could not be opened: {0}; without a window, use: dapple grow FILE -o OUT.png")]
     Refused(String),
 }
 
@@ -55,7 +57,7 @@ pub fn run(file: Option<PathBuf>) -> Result<(), OpenError> {
         .map_err(|error| OpenError::Refused(reason(&error.to_string())))
 }
 
-/// The message of the window system without its source file and line.
+/// The message of the window system, without the name and line of its source file.
 fn reason(said: &str) -> String {
     let after = said.rsplit_once(".rs:").and_then(|(_, place)| place.split_once(": "));
     after.map_or(said, |(_, reason)| reason).to_owned()

@@ -122,17 +122,17 @@ fn choice_among(ui: &mut Ui, yes: &str, can: bool, others: &[(&str, Answer)]) ->
         }
     };
     if is_small(ui.ctx()) && !others.is_empty() {
-        // One under the other: they would not fit beside each other.
+        // The buttons stand one below the other, because they would not fit side by side.
         ui.vertical_centered_justified(buttons);
     } else {
-        // A height of its own: the layout would take all that is left.
+        // A fixed height: without it the layout would take all the space that is left.
         let size = vec2(ui.available_width(), 28.0);
         ui.allocate_ui_with_layout(size, egui::Layout::right_to_left(egui::Align::Center), buttons);
     }
     answer
 }
 
-/// Asks what to do with changes that are not saved.
+/// Asks what to do with unsaved changes.
 pub fn unsaved(ui: &mut Ui, title: &str) -> Option<Answer> {
     fit_width(ui, 400.0);
     ui.heading(format!("Save the changes to {title}?"));
@@ -141,7 +141,7 @@ pub fn unsaved(ui: &mut Ui, title: &str) -> Option<Answer> {
     choice(ui, "Save", Some("Don't save"))
 }
 
-/// Says why a document should not be sent as a link; `can`: one can be made.
+/// Explains why a document should not be sent as a link. `can`: whether a link can be made.
 pub fn unlinked(ui: &mut Ui, why: &str, can: bool) -> Option<Answer> {
     fit_width(ui, 440.0);
     ui.heading("Send it as a file?");
@@ -155,8 +155,9 @@ pub fn dropped_picture(ui: &mut Ui, name: &str) -> Option<Answer> {
     fit_width(ui, 440.0);
     ui.heading(format!("What is {name} for?"));
     ui.label(
-        "A sketch: the spots or stripes in the photograph become marks of a new document. Tone: the picture drives the lowest \
-         layer, whose ink follows its light and dark and whose stripes run along its edges. A reference picture: it is shown \
+        "A sketch: the spots or stripes in the photograph become marks of a new document. Tone: the lowest \
+         layer follows the picture, with more ink where it is darker and stripes along its edges. A reference \
+         picture: it is shown \
          under the canvas, to draw over.",
     );
     ui.add_space(8.0);
@@ -170,11 +171,11 @@ pub fn another_layer(ui: &mut Ui, mark: &Mark) -> Option<Answer> {
     ui.heading("Draw it on another layer?");
     ui.label(match mark {
         Mark::Ellipse(_) => {
-            "This layer grows rings or a net around the marks beneath. Their width is drawn as a line; ellipses need \
+            "This layer grows rings or a net around the marks beneath. A line sets their width; ellipses need \
              another layer."
         }
         Mark::Line(_) | Mark::Path(_) => {
-            "This layer grows a spot inside each mark beneath. Their size is drawn as an ellipse; lines need another layer."
+            "This layer grows a spot inside each mark beneath. An ellipse sets their size; lines need another layer."
         }
     });
     ui.add_space(8.0);

@@ -1,4 +1,4 @@
-//! What the window asks of what it runs on: a desktop, or a browser. Both answer to the same names.
+//! What the window needs from the system on which it runs: a desktop, or a browser. Both modules export the same names.
 
 #[cfg(target_arch = "wasm32")]
 mod browser;

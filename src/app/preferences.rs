@@ -76,7 +76,7 @@ fn units(ui: &mut Ui, units: &mut Units) {
 }
 
 fn pens(ui: &mut Ui, pens: &mut Pens) {
-    ui.label("Pens").on_hover_text("For graphics tablets, where the system tells their pressure");
+    ui.label("Pens").on_hover_text("For graphics tablets, if the system reports the pressure of the pen");
     ui.vertical(|ui| {
         ui.checkbox(&mut pens.pressure, "pressure sets the width")
             .on_hover_text("The width of lines, and the size of ellipses that a tap adds");

@@ -1,4 +1,4 @@
-//! The page that offers lost documents.
+//! The page that offers documents which were not saved before dapple was closed.
 
 use std::time::Duration;
 
@@ -17,7 +17,8 @@ use crate::editor::recovery::{LostDocument, Recovery};
 /// Width and height of the small sketches, points.
 const SKETCH: [f32; 2] = [92.0, 70.0];
 
-/// Shows the page; returns the action that was chosen. `asked` is the document for which *Discard* was pressed once.
+/// Shows the page; returns the action that was chosen. `asked` is the document for which *Discard* was pressed once; a
+/// second press deletes it.
 pub fn page(ui: &mut Ui, recovery: &Recovery, asked: &mut Option<String>) -> Option<Action> {
     fit_width(ui, 560.0);
     ui.heading("Unsaved work was found");

@@ -1,4 +1,4 @@
-//! What is remembered from one session to the next: recent files, preferences, window placement.
+//! Settings that are kept from one run of dapple to the next: recent files, preferences, window placement.
 
 mod export_choices;
 mod layout;
@@ -17,7 +17,7 @@ use crate::editor::pens::Pens;
 use crate::editor::settings_file::{self, Entries, RecentChange, SettingsChange};
 use crate::editor::units::Units;
 
-/// What is remembered.
+/// The settings.
 #[derive(Clone, Debug)]
 pub struct Settings {
     /// Documents opened or saved, the latest first.
@@ -36,14 +36,14 @@ pub struct Settings {
     pub export: Choices,
     /// The folder that was exported into last.
     pub export_folder: Option<PathBuf>,
-    /// Where the window is on the web: the address before the document in a link.
+    /// The address of the window on the web. In a link, the document follows this address.
     pub site: String,
-    /// Placement of the window and what it shows.
+    /// Placement of the window, and what is shown in it.
     pub layout: Layout,
     /// Why the file could not be read: a message to be shown once.
     pub error: Option<String>,
     file: Option<PathBuf>,
-    /// The values as last read or written: those that differ now were changed by this window.
+    /// The values as they were last read or written. Values that differ now were changed by this window.
     base: Entries,
     /// Changes of the recent documents that are not written yet.
     recent_changes: Vec<RecentChange>,
@@ -73,8 +73,8 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Reads the user's settings; without a folder for them, nothing is remembered. On the calling thread: the window
-    /// opens at the place and in the theme that they name.
+    /// Reads the user's settings; without a folder for them, nothing is remembered. This blocks, because the window
+    /// opens at the place and in the theme that the settings name.
     #[must_use]
     pub fn for_user() -> Self {
         platform::settings_folder().map_or_else(Self::default, |folder| Self::read(&folder.join("settings")))
@@ -122,7 +122,7 @@ impl Settings {
         entries.set("pens", &self.pens, &Pens::default());
         entries.set("new", &self.new, &New::default());
         export_choices::write(&self.export, &mut entries);
-        // A folder whose name is no text is not remembered.
+        // A folder whose name is not valid Unicode is not kept.
         let folder = self.export_folder.as_deref().and_then(Path::to_str);
         entries.set("export_folder", &folder, &None);
         entries.set("site", &self.site.as_str(), &SITE);
@@ -130,7 +130,7 @@ impl Settings {
         entries
     }
 
-    /// Adds a document to the recent ones, where its file stays.
+    /// Adds a document to the recent ones, unless its file is temporary.
     pub fn remember(&mut self, path: &Path) {
         if platform::HAS_FOLDERS {
             self.change_recent(RecentChange::Used(path.to_owned()));
@@ -148,7 +148,7 @@ impl Settings {
         self.write_soon();
     }
 
-    /// Lets the window write what it has changed.
+    /// Requests that the changed settings are written.
     pub fn write_soon(&mut self) {
         self.is_due = true;
     }
@@ -159,7 +159,7 @@ impl Settings {
         self.is_due && self.file.is_some()
     }
 
-    /// What is to be written, once; `None` = nothing.
+    /// The change that is to be written, once; `None` where there is nothing to write.
     pub fn take_change(&mut self) -> Option<SettingsChange> {
         let is_due = std::mem::take(&mut self.is_due);
         let file = self.file.clone().filter(|_| is_due)?;
@@ -168,13 +168,13 @@ impl Settings {
         Some(SettingsChange { file, base, mine, recent: std::mem::take(&mut self.recent_changes) })
     }
 
-    /// Takes over the recent documents of all windows, as they are in the file now.
+    /// Replaces the recent documents by those in the file, to which all windows write.
     pub fn take_recent(&mut self, recent: Vec<PathBuf>) {
         self.recent = recent;
         self.recent_changes.iter().for_each(|change| change.apply(&mut self.recent));
     }
 
-    /// Writes at once what this window changed; what other windows changed stays. Returns why that failed.
+    /// Writes the changes of this window at once; changes by other windows are kept. Returns why that failed.
     pub fn write(&mut self) -> Option<String> {
         self.write_soon();
         let merged = self.take_change()?.write();

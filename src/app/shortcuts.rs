@@ -94,7 +94,7 @@ pub const SHORTCUTS: &[Shortcut] = &[
     with(Modifiers::SHIFT, Key::H, "Hide or show layer", "Layers", || Action::Layer(LayerAction::Hide)),
     with(Modifiers::NONE, Key::F2, "Rename layer", "Layers", || Action::Layer(LayerAction::Rename)),
     with(Modifiers::NONE, Key::A, "Alternatives", "View", || Action::ToggleAlternatives),
-    with(Modifiers::NONE, Key::W, "Expected sizes and directions", "View", || Action::ToggleWanted),
+    with(Modifiers::NONE, Key::W, "Sizes and directions between marks", "View", || Action::ToggleWanted),
     with(CTRL, Key::Num0, "Show the whole canvas", "View", || Action::Fit),
     with(CTRL, Key::Num1, "Actual size", "View", || Action::ActualSize),
     with(CTRL, Key::Plus, "Zoom in", "View", || Action::Zoom(ZOOM)),
@@ -136,7 +136,7 @@ pub fn asked(ctx: &Context, canvas: bool, arrows: bool) -> Vec<Action> {
                 }
             }
         }
-        // Those with Shift first: a shortcut without Shift would match them too.
+        // Shortcuts with Shift come first: one without Shift would match their keys too.
         let shift = |shortcut: &&Shortcut| shortcut.keys.modifiers.shift;
         // Alt and a letter open menus.
         let alt = input.modifiers.alt;
@@ -224,7 +224,7 @@ fn rows(ui: &Ui, group: &str) -> Vec<(&'static str, String)> {
     rows
 }
 
-/// Gestures and keys that are no single shortcut.
+/// Gestures and keys that are not a single shortcut.
 const OTHERS: &[(&str, &str, &str)] = &[
     ("View", "Zoom", "Ctrl + wheel, pinch"),
     ("View", "Pan", "wheel, middle button, Space + drag"),

@@ -5,15 +5,15 @@ use egui::{Context, Frame, Id, Modal, ModalResponse, Rect, ScrollArea, Ui, Vec2,
 
 /// The width below which a screen is small, points.
 const SMALL: f32 = 600.0;
-/// What a dialog leaves of the width and height of a small screen, points.
+/// The part of the width and height of a small screen that a dialog leaves free, points.
 const AROUND: f32 = 20.0;
 /// The largest margin within a dialog on a small screen, points.
 const MARGIN: i8 = 8;
-/// What a dialog that fills the screen leaves of its width and height, margins included, points.
+/// The part of the screen's width and height that a dialog of full size leaves free, margins included, points.
 const AROUND_LARGE: f32 = 92.0;
-/// Share of a dialog's height that its choices have on a small screen; what they make has the rest.
+/// The share of a dialog's height that its choices take on a small screen; the preview has the rest.
 const CHOICES: f32 = 0.55;
-/// Between the two parts of a dialog, points.
+/// Space between the two parts of a dialog, points.
 const GAP: f32 = 18.0;
 
 /// Whether the screen is small.
@@ -22,7 +22,7 @@ pub fn is_small(ctx: &Context) -> bool {
     ctx.content_rect().width() < SMALL
 }
 
-/// Sets the width of a dialog: less where the screen has less.
+/// Sets the width of a dialog; it is less where the screen is narrower.
 pub fn fit_width(ui: &mut Ui, width: f32) {
     let widest = if is_small(ui.ctx()) { ui.available_width() } else { f32::INFINITY };
     ui.set_width(width.min(widest));
@@ -54,7 +54,8 @@ pub fn dialog_size(ctx: &Context, largest: [f32; 2]) -> Vec2 {
     (ctx.content_rect().size() - Vec2::splat(around)).min(largest.into())
 }
 
-/// The parts of a dialog: its choices, `column` wide where there is room, and beside or beneath them what they make.
+/// The two parts of a dialog: its choices, `column` points wide where there is room, and beside or below them the
+/// preview.
 #[must_use]
 pub fn parts(ctx: &Context, all: Rect, column: f32) -> [Rect; 2] {
     if is_small(ctx) {

@@ -19,7 +19,7 @@ pub struct TextureView {
     texture: Option<TextureHandle>,
     /// Whether a part of it is transparent.
     is_see_through: bool,
-    /// Whether it continues beyond its sides, as one tile does in the next.
+    /// Whether the texture continues beyond its sides, as a seamless tile does.
     repeats: bool,
     /// Which part is shown.
     pub view: View,
@@ -39,7 +39,7 @@ impl TextureView {
         self.is_see_through = !picture.is_opaque;
         let wraps_as_before = !self.is_outdated();
         self.repeats = self.tiled;
-        // A single one must not: its opposite sides would shine through along its own.
+        // A single tile must not repeat: each side would show through at the opposite one.
         let options = if self.repeats { TextureOptions::LINEAR_REPEAT } else { TextureOptions::LINEAR };
         let image = picture.image.clone();
         match &mut self.texture {
@@ -50,7 +50,7 @@ impl TextureView {
         }
     }
 
-    /// Whether it was loaded for the other way to show it, one tile or two by two.
+    /// Whether the texture was loaded for the other way to show it: as one tile, or two by two.
     #[must_use]
     pub fn is_outdated(&self) -> bool {
         self.texture.is_some() && self.repeats != self.tiled
@@ -116,7 +116,7 @@ impl TextureView {
     }
 }
 
-/// The state of a growth, in words.
+/// The state of a growth, as text.
 #[must_use]
 pub fn state(state: &GrowthState) -> &'static str {
     match state {
@@ -135,14 +135,15 @@ fn empty(ui: &Ui, painter: &Painter, paper: Rect, state: &GrowthState) {
     painter.extend(Shape::dashed_line(&[a, b, c, d, a], stroke, 5.0, 5.0));
     let text = match state {
         GrowthState::Idle => "The texture grows here",
-        GrowthState::Growing(..) => "Looking up parameters …",
+        GrowthState::Growing(..) => "Preparing the growth …",
         _ => return,
     };
     let weak = ui.visuals().weak_text_color();
     painter.text(paper.center(), Align2::CENTER_CENTER, text, FontId::proportional(15.0), weak);
 }
 
-/// The divider between sketch and texture that are shown over each other. `share`: its position, 0..1 of the width.
+/// Shows the divider between sketch and texture, where one lies over the other. `share`: its position, 0..1 of the
+/// width.
 pub fn divider(ui: &mut Ui, room: Rect, share: &mut f32) -> Response {
     let x = room.left() + *share * room.width();
     let bar = Rect::from_center_size(pos2(x, room.center().y), vec2(16.0, room.height()));

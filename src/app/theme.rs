@@ -24,9 +24,9 @@ pub struct Palette {
     pub accent_pale: Color32,
     /// The region grid.
     pub grid: Color32,
-    /// Edges between neighbours that count for the spacing.
+    /// Lines between neighbours that count for the spacing.
     pub edge: Color32,
-    /// Edges that do not.
+    /// Lines between neighbours that do not count.
     pub edge_pale: Color32,
     /// Axes of fitted marks.
     pub axis: Color32,
@@ -145,7 +145,7 @@ fn shared(visuals: &mut Visuals, palette: &Palette) {
 
 fn light(visuals: &mut Visuals) {
     shared(visuals, &LIGHT);
-    // Darker than the accent: as text it needs more contrast.
+    // Darker than the accent, because text needs more contrast.
     visuals.hyperlink_color = Color32::from_rgb(0x0d, 0x69, 0x63);
     let ink = Color32::from_rgb(0x2e, 0x2a, 0x26);
     visuals.panel_fill = Color32::from_rgb(0xf4, 0xf2, 0xee);

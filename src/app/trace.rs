@@ -12,7 +12,7 @@ pub struct Trace {
     began: Instant,
     place: Option<([f32; 2], f32)>,
     marks: usize,
-    /// The dialog that is logged, and that of the last frame.
+    /// The dialog that was logged last, and that of the last frame.
     dialog: [&'static str; 2],
 }
 
@@ -51,8 +51,8 @@ impl Trace {
         }
     }
 
-    /// Logs which dialog is open, `none` without one, once it has been there for two frames and takes keys. Returns whether the
-    /// second is still to come.
+    /// Logs which dialog is open, or `none`, once it has been open for two frames and handles keys. Returns whether the
+    /// second of these frames is still to come.
     pub fn dialog(&mut self, open: &'static str) -> bool {
         let [logged, last] = self.dialog;
         self.dialog[1] = open;

@@ -14,22 +14,22 @@ const LONGEST: usize = 1024;
 /// Its opacity.
 const OPACITY: f32 = 0.42;
 
-/// A number of layers, and the document they belong to.
+/// A number of the lowest layers, and the document to which they belong.
 type Lowest = (usize, Arc<Document>);
 
 /// The picture under the canvas.
 #[derive(Default)]
 pub struct Underlay {
     texture: Option<TextureHandle>,
-    /// What it shows, or will show once it is painted.
+    /// The layers that the picture shows, or will show once it is painted.
     painted: Option<Lowest>,
     painting: Option<Task<Picture>>,
-    /// The session's revision and number of frozen layers that it was last compared with.
+    /// The session's revision and number of frozen layers at the last comparison.
     seen: Option<(u64, usize)>,
 }
 
 impl Underlay {
-    /// Updates it after layers were frozen or a texture has settled. It is painted beside the window.
+    /// Updates the picture after layers were frozen or a texture has settled. The picture is painted on another thread.
     ///
     /// # Errors
     /// Where no thread can be started.
@@ -70,7 +70,7 @@ impl Underlay {
     }
 
     fn paint_anew(&mut self, settled: &Texture, count: usize, tasks: &Tasks) -> Result<(), StartError> {
-        // Also where no thread starts: this is reported once, and the next texture is tried again.
+        // Set also where no thread starts: this is reported once, and tried again for the next texture.
         self.painted = Some((count, Arc::clone(&settled.document)));
         let settled = settled.clone();
         let work = move |worker: &Worker<_>| worker.send(Picture::lowest(&settled, count, LONGEST));
@@ -78,7 +78,7 @@ impl Underlay {
         Ok(())
     }
 
-    /// Whether there is a picture.
+    /// Whether there is a picture of frozen layers.
     #[must_use]
     pub fn is_there(&self) -> bool {
         self.texture.is_some()
@@ -90,7 +90,7 @@ impl Underlay {
         self.painting.is_some()
     }
 
-    /// Paints it over the area of the canvas.
+    /// Paints the picture over the area of the canvas.
     pub fn paint(&self, painter: &Painter, paper: Rect) {
         if let Some(texture) = &self.texture {
             let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));

@@ -18,7 +18,8 @@ impl Ruler {
 
     fn number(self, value: &mut f64, factor: f64, decimals: usize) -> DragValue<'_> {
         let field = DragValue::from_get_set(move |typed| {
-            // The text shows fewer digits than the value has: leaving it as it is changes nothing.
+            // The text shows fewer digits than the value has. If the text is not changed, the value is not changed
+            // either.
             let written = |value: f64| format!("{value:.decimals$}");
             if let Some(typed) = typed.filter(|typed| written(*typed) != written(*value * factor)) {
                 *value = typed / factor;
@@ -45,7 +46,7 @@ impl Ruler {
     }
 }
 
-/// The field for a number without a unit, with arithmetic; `unit` may be typed behind it.
+/// The field for a number without a unit, with arithmetic; `unit` may be typed after the number.
 pub fn number_field<'a>(field: DragValue<'a>, unit: &'a str) -> DragValue<'a> {
     let is_unit = move |typed: &str| typed.is_empty() || typed == unit.trim();
     let field = field.suffix(unit).update_while_editing(false);

@@ -72,9 +72,9 @@ pub struct Window {
     files: Files,
     clipboard: clipboard::Clipboard,
     recovery: Recovery,
-    /// When the search at the start began, while what it finds is still to be offered.
+    /// The time at which the search for lost documents began, until its results are offered.
     offer: Option<Instant>,
-    /// The lost document for which *Discard* was pressed once.
+    /// The lost document for which *Discard* was pressed once; a second press deletes it.
     discard_asked: Option<String>,
     gallery: Gallery,
     exporting: Option<Exporting>,
@@ -95,7 +95,7 @@ pub struct Window {
     curtain: f32,
     /// Whether sketch and texture are zoomed and panned together.
     linked: bool,
-    /// The revision that was grown last, or is growing.
+    /// The revision of the session that was grown last, or is growing.
     grown: Option<u64>,
     /// Whether a menu was open in the last frame.
     menu_open: bool,
@@ -106,7 +106,7 @@ pub struct Window {
     /// The tool before marks were selected by a key, which changed it to *Select*.
     tool_before: Option<Tool>,
     title: String,
-    /// How long a frame takes, drawing included, seconds: the longest of the last ones.
+    /// The time that a frame takes, drawing included, seconds: the longest of the last few frames.
     frame_time: f32,
     trace: Trace,
 }
@@ -136,7 +136,7 @@ impl Window {
             || self.canvas.reference.is_loading()
     }
 
-    /// Whether what the marks want between them is being computed.
+    /// Whether the sizes and directions between the marks are being computed.
     #[must_use]
     pub fn is_busy_with_sketch(&self) -> bool {
         self.canvas.wanted.is_busy()
@@ -148,7 +148,7 @@ impl Window {
         self.growth.is_painting()
     }
 
-    /// What the free marks of the active layer want between them, at the places that are shown.
+    /// What the free marks of the active layer ask for, at the places that are shown.
     #[must_use]
     pub fn wanted(&self) -> &[Glyph] {
         let shown = self.canvas.wanted.of(self.session.active_layer).filter(|_| self.canvas.overlays.wanted);
@@ -173,7 +173,7 @@ impl Window {
         self.canvas.view.to_screen(room, point)
     }
 
-    /// Hides how long the growth took, for reproducible snapshots.
+    /// Hides the duration of the growth, so that pictures of the window are reproducible.
     pub fn hide_times(&mut self) {
         if let GrowthState::Settled(took) = &mut self.growth.state {
             *took = Duration::ZERO;
@@ -186,8 +186,8 @@ impl Window {
         self.growth.texture.as_ref()
     }
 
-    /// What became of the drawn marks, and the results by region; the changes after which unreachable regions can be reached
-    /// are computed while the result tab is shown.
+    /// What has grown of the drawn marks, and the results by region. The changes after which unreachable regions can be
+    /// reached are computed only while the result tab is shown.
     #[must_use]
     pub fn results(&self) -> &Results {
         &self.results
@@ -235,7 +235,7 @@ impl Window {
         self.canvas.reference.is_there()
     }
 
-    /// Where the picture under the canvas lies.
+    /// The placement of the picture under the canvas.
     #[must_use]
     pub fn reference(&self) -> Option<Placement> {
         self.canvas.reference.placement(self.session.document().size)
@@ -280,7 +280,7 @@ impl Window {
         self.say_what_is_on_a_model();
     }
 
-    /// Says that a document on a model is shown flat.
+    /// Tells the user that a document on a model is shown flat.
     fn say_what_is_on_a_model(&mut self) {
         let Some(model) = &self.session.document().model else { return };
         let text = format!(

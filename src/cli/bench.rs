@@ -31,10 +31,10 @@ pub struct Args {
     /// [default: 1024]
     #[arg(long, value_name = "N,N...", value_delimiter = ',', value_parser = values::grid_side)]
     pub size: Vec<usize>,
-    /// Measure where the CPU time from documents to their pictures goes, by phase, on one thread
+    /// Measure the CPU time from documents to their pictures, by section of the work, on one thread
     #[arg(long)]
     pub phases: bool,
-    /// Measure how soon a change of a sketch is seen in the window, and how many marks move far away from it
+    /// Measure how soon a change of a sketch is shown in the window, and how many marks far away from the change move
     #[cfg(feature = "app")]
     #[arg(long, conflicts_with_all = ["phases", "size", "threads"])]
     pub changes: bool,
@@ -89,7 +89,7 @@ impl Args {
     }
 }
 
-/// What is measured.
+/// The cases that are measured.
 struct Chosen {
     cases: Vec<Case>,
     examples: Vec<pictures::Example>,
@@ -118,7 +118,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     if args.json { print_json(report.json()) } else { print(&report.text()) }
 }
 
-/// Measures what happens while somebody draws.
+/// Measures how a growing texture follows changes of the sketch.
 #[cfg(feature = "app")]
 fn run_changes(args: &Args) -> Result<(), Error> {
     let wanted = |sketch: &changes::Sketch| sketch.name().contains(&args.only);

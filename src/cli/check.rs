@@ -104,7 +104,7 @@ fn summary(document: &Document) -> String {
     let _ = writeln!(text, "size:    {width} × {height} px, edges {edges}");
     let _ = match document.regions {
         Some([columns, rows]) => writeln!(text, "regions: {columns} × {rows}"),
-        None => writeln!(text, "regions: none, each mark says what is wanted around it"),
+        None => writeln!(text, "regions: none, each mark sets what grows around it"),
     };
     let _ = writeln!(text, "layers:  {}", document.layers.len());
     for (i, layer) in document.layers.iter().enumerate() {

@@ -44,7 +44,7 @@ fn every_command_in_the_guides_is_valid() {
     let mut tried = 0;
     for (guide, text) in guides() {
         for command in commands(&text) {
-            // The name of a command alone is not a call.
+            // The name of a command alone is not an example of its use.
             if !command.contains(' ') {
                 continue;
             }

@@ -41,13 +41,13 @@ pub enum Error {
     },
     /// The program was built without the window.
     #[cfg(not(feature = "app"))]
-    #[error("{file}: this dapple was built without its window; allowed: dapple grow {file} -o OUT.png")]
+    #[error("{file}: this dapple was built without the window; use: dapple grow {file} -o OUT.png")]
     NoWindow {
         /// The document is invalid or cannot be read.
         file: String,
     },
     /// Some pictures of a sheet were not grown.
-    #[error("{} of {all} pictures were not grown; {sheet} says why in their places:\n  {}", why.len(), why.join("\n  "))]
+    #[error("{} of {all} pictures were not grown; {sheet} shows the reasons in their places:\n  {}", why.len(), why.join("\n  "))]
     Tiles {
         /// The sheet, which was written.
         sheet: String,
@@ -106,7 +106,7 @@ impl Error {
         let closed = |error: &io::Error| error.kind() == io::ErrorKind::BrokenPipe;
         match self {
             Self::Output(error) => closed(error),
-            // A picture or a document that was to go there.
+            // A picture or a document that was to be written to standard output.
             Self::Step(error) => error.downcast_ref().is_some_and(
                 |error| matches!(error, ExportError::Io { path, source } if closed(source) && is_standard_output(path)),
             ),

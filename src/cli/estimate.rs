@@ -9,10 +9,10 @@ use crate::synth::{Stage, Training};
 
 /// Longer durations than this are announced, seconds.
 const LONG: f64 = 3.0;
-/// px of all canvases and pictures below which a growth is mostly faster than its estimate: what takes long all the same is announced
-/// while it grows, see [`Underway`].
+/// Canvases and pictures of fewer px than this, in all, mostly grow faster than their estimate. If such a growth takes
+/// long all the same, [`Underway`] announces that while it runs.
 const SMALL: f64 = 700.0 * 700.0;
-/// Most documents of a batch that are estimated; the others are taken to need the same time for each px.
+/// The most documents of a batch that are estimated; the others are assumed to need the same time for each px.
 const MAX_ESTIMATED: usize = 4;
 
 /// Announces how long work will take.
@@ -24,7 +24,8 @@ pub struct Estimate<'a> {
 }
 
 impl Estimate<'_> {
-    /// Writes to stderr how long these tasks will take, each grown `times` times, if that is long. Returns whether it has.
+    /// Writes to stderr how long these tasks will take, each grown `times` times, if that is long. Returns whether it
+    /// was written.
     pub fn announce(&self, tasks: &[Task], times: f64) -> bool {
         let px: f64 = tasks.iter().map(|task| task.px()[1]).sum();
         if self.quiet || times * px < SMALL {
@@ -33,7 +34,7 @@ impl Estimate<'_> {
         let every = tasks.len().div_ceil(MAX_ESTIMATED).max(1);
         let (mut seconds, mut tried) = (0.0, 0.0);
         for task in tasks.iter().step_by(every) {
-            // A document that cannot be grown gives its error later.
+            // A document that cannot be grown reports its error later.
             if let Some(found) = Needs::estimate(task, self.training) {
                 seconds += found.seconds;
                 tried += task.px()[1];
@@ -42,7 +43,8 @@ impl Estimate<'_> {
         tried > 0.0 && self.announce_seconds(times * seconds * px / tried)
     }
 
-    /// Writes to stderr that the work will take so many seconds, if they are many. Returns whether it has.
+    /// Writes to stderr that the work will take this number of seconds, if that is long. Returns whether it was
+    /// written.
     pub fn announce_seconds(&self, seconds: f64) -> bool {
         let is_long = !self.quiet && seconds > LONG;
         if is_long {
@@ -52,27 +54,27 @@ impl Estimate<'_> {
     }
 }
 
-/// Work that goes on so long before its duration is judged by what is done of it, seconds.
+/// Work must have run for this long before its whole duration is estimated from its progress, seconds.
 const BEGUN: f64 = 1.0;
-/// The share that must be done by then to judge by it.
+/// The least progress from which the whole duration is estimated.
 const LEAST: f64 = 0.02;
 
-/// Work that has begun: says how long it takes, once, where nothing was announced before.
+/// Work that is running. It reports its estimated duration once, where none was announced before.
 pub struct Underway {
     started: Instant,
-    /// How many such growths are to be done in all.
+    /// The number of such growths in all.
     times: f64,
     said: AtomicBool,
 }
 
 impl Underway {
-    /// Work of so many growths of a layer that begins now; `said` where its duration is known or not wanted.
+    /// The first of `times` growths starts now. `said`: the duration was already announced, or is not to be announced.
     pub fn begin(times: usize, said: bool) -> Self {
         Self { started: Instant::now(), times: times.max(1) as f64, said: AtomicBool::new(said) }
     }
 
-    /// Takes notice of the share (0..1) of a stage of the first growth. Returns, once, what is to be said of the duration of all if that
-    /// is long.
+    /// Notes the share (0..1) of a stage of the first growth that is done. Returns, once, a message about the duration
+    /// of all growths if it is long.
     #[must_use]
     pub fn show(&self, stage: Stage, share: f64) -> Option<String> {
         if self.said.load(Ordering::Relaxed) {
@@ -84,7 +86,8 @@ impl Underway {
     }
 }
 
-/// Seconds of `times` growths of which one has gone on for `elapsed` seconds and is done by this share; `None` while that cannot be judged.
+/// The estimated seconds of `times` growths, where one has run for `elapsed` seconds and is done by this share; `None`
+/// while that is too uncertain.
 fn judged(elapsed: f64, done: f64, times: f64) -> Option<f64> {
     (elapsed >= BEGUN && done >= LEAST).then(|| times * elapsed / done)
 }
@@ -94,7 +97,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn work_is_judged_by_what_is_done_of_it() {
+    fn the_duration_is_estimated_from_the_progress() {
         assert_eq!(judged(0.5, 0.5, 1.0), None);
         assert_eq!(judged(2.0, 0.01, 1.0), None);
         assert_eq!(judged(2.0, 0.25, 3.0), Some(24.0));

@@ -36,13 +36,13 @@ pub struct Args {
     /// Grow a document on a model, then turn it once about its upward axis
     #[arg(long, conflicts_with = "to")]
     pub turn: bool,
-    /// The longer side of a frame, px [default: the canvas's, at most 480]
+    /// The longer side of a frame, px [default: that of the canvas, at most 480]
     #[arg(long, value_name = "PX", value_parser = values::whole(clip::SIDES))]
     pub side: Option<u32>,
     /// Duration without the hold at the end, seconds
     #[arg(long, value_name = "S", default_value_t = 4.0, value_parser = values::positive)]
     pub seconds: f64,
-    /// Frames a second
+    /// Frames per second
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = values::whole(clip::RATES))]
     pub fps: u16,
     /// Stop at the last frame [default: repeat]
@@ -53,7 +53,7 @@ pub struct Args {
         help = format!("Extra seconds for the last frame before the film repeats [default: {}]", Clip::default().hold)
     )]
     pub hold: Option<f64>,
-    /// Use this seed instead of the document's
+    /// Use this seed instead of that of the document
     #[arg(long, value_name = "N", value_parser = values::seed)]
     pub seed: Option<u64>,
     /// Use the parameters as looked up; do not correct them by what has grown
@@ -97,7 +97,7 @@ impl Args {
         }
     }
 
-    /// One note for each given option that does nothing in a film of this `kind`.
+    /// One note for each given option that has no effect on a film of this `kind`.
     fn idle(&self, kind: Kind) -> Vec<String> {
         let repeats = "it is for a film that repeats, a .gif, .png or .apng without --once";
         let given = [
@@ -105,7 +105,7 @@ impl Args {
             ("--hold", self.hold.is_some() && (kind == Kind::Folder || self.once), repeats),
         ];
         let idle = given.into_iter().filter(|(_, is_idle, _)| *is_idle);
-        idle.map(|(option, _, why)| format!("{option} does nothing here; {why}")).collect()
+        idle.map(|(option, _, why)| format!("{option} has no effect here; {why}")).collect()
     }
 }
 
@@ -138,7 +138,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let estimate = Estimate { training: &training, quiet: args.quiet };
     let bar = Bar::new(args.quiet);
     let source = files::source(&args.file);
-    // It is grown twice, first to measure how much each moment changes.
+    // Each texture is grown twice: the first time measures how much each moment changes.
     let task =
         Task { document: &document, size: document.size, source: &source, scale: 1, machine: this_machine() };
     let announced = other.is_none() && estimate.announce(&[task], 2.0);

@@ -1,4 +1,4 @@
-//! Commands that grow flat canvases alone.
+//! Checks for commands that only grow flat canvases.
 
 use std::path::Path;
 
@@ -6,10 +6,10 @@ use super::Error;
 use crate::document::Document;
 use crate::files;
 
-/// Refuses a document on a model for a command that grows flat canvases alone.
+/// Refuses a document on a model, for a command that only grows flat canvases.
 ///
 /// # Errors
-/// [`Error::Usage`] with the file and what makes its picture.
+/// [`Error::Usage`] with the file, and the command that grows it.
 pub fn check_flat(document: &Document, file: &Path, command: &str) -> Result<(), Error> {
     let file = files::source(file);
     match document.model {

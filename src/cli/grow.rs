@@ -37,9 +37,9 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
-/// Arguments that name what is read.
+/// Arguments that name files to read.
 const INPUTS: [&str; 3] = ["FILE", "--tone", "--map"];
-/// Most different notes of a layer that are listed on a terminal.
+/// The most different notes of a layer that are listed on a terminal.
 const MOST_NOTES: usize = 8;
 
 /// Arguments of `dapple grow`.
@@ -57,14 +57,14 @@ pub struct Args {
     /// Where to write the picture (.png, .tif, .exr, .jpg, .webp) or its outlines (.svg, .dxf); for many pictures a folder
     #[arg(short, long, value_name = "OUT.png", required_unless_present_any = ["material", "svg", "dxf"])]
     pub output: Option<PathBuf>,
-    /// More texture: a canvas of W x H px with features of the same size
+    /// Grow a canvas of W x H px, with marks of the same size
     #[arg(long, value_name = "WxH", value_parser = values::size)]
     pub size: Option<[u32; 2]>,
-    /// K times the px along each side, of the same texture [default: 1]
+    /// Write K times the px along each side; the texture stays the same [default: 1]
     #[arg(long, value_name = "K", value_parser = values::whole(1..=document::embedded::MAX_SCALE))]
     pub scale: Option<u32>,
-    /// Let the picture IMG (JPEG, PNG, WebP, TIFF) drive the lowest layer: ink follows its tone, lines its edges. The picture OUT.png holds
-    /// the document with IMG in it
+    /// Let the lowest layer follow the picture IMG (JPEG, PNG, WebP, TIFF): more ink where it is darker, lines along
+    /// its edges. The picture OUT.png holds the document with IMG in it
     #[arg(long, value_name = "IMG")]
     pub tone: Option<PathBuf>,
     /// Vary the lowest layer by a picture or by noise: WHAT=IMG:LOW:HIGH, the values at black and at white in place of the drawn ones;
@@ -72,18 +72,18 @@ pub struct Args {
     /// OUT.png holds the document with the maps in it
     #[arg(long = "map", value_name = "WHAT=IMG:LOW:HIGH")]
     pub maps: Vec<MapArgument>,
-    /// Use this seed instead of the document's
+    /// Use this seed instead of that of the document
     #[arg(long, value_name = "N", value_parser = values::seed)]
     pub seed: Option<u64>,
     #[command(flatten)]
     pub look: look::Look,
-    /// Also write the pattern: 16-bit gray (.png, .tif) or floating point (.exr), 0 = ground, half = a mark's edge
+    /// Also write the pattern: 16-bit gray (.png, .tif) or floating point (.exr); 0 = ground, half = the edge of a mark
     #[arg(long, value_name = "P.png")]
     pub pattern: Option<PathBuf>,
-    /// Write the pattern or the outlines of layer K alone (1 = the lowest)
+    /// Write only the pattern or the outlines of layer K (1 = the lowest)
     #[arg(long, value_name = "K", value_parser = values::whole(1..=255u32))]
     pub layer: Option<u32>,
-    /// Also write which layer's mark covers each px: 8-bit gray, 0 = none
+    /// Also write the layer whose mark covers each px: 8-bit gray, 0 = none
     #[arg(long, value_name = "L.png")]
     pub labels: Option<PathBuf>,
     /// Also write the concentrations of all chemicals: floating point, one channel each
@@ -91,7 +91,7 @@ pub struct Args {
     pub concentrations: Option<PathBuf>,
     #[command(flatten)]
     pub material: material::Material,
-    /// Also write what was asked and what has grown, as JSON; - prints it
+    /// Also write what was asked for and what has grown, as JSON; - prints it
     #[arg(long, value_name = "R.json")]
     pub report: Option<PathBuf>,
     /// Use the parameters as looked up; do not correct them by what has grown
@@ -163,9 +163,9 @@ impl Args {
         let named = maps.chain(named);
         let paths: Vec<_> = named.chain(material.iter().map(|path| ("--material", path))).collect();
         for (i, (name, path)) in paths.iter().enumerate() {
-            // Several maps may be read from one picture.
+            // The same picture may be read for several maps.
             let same = |(other, at): &&(&str, &PathBuf)| {
-                // `-` is standard input and standard output, which are two.
+                // `-` means standard input or standard output, which are not the same file.
                 let is_input = INPUTS.contains(other);
                 let piped = is_input && (files::is_pipe(at) || INPUTS.contains(name));
                 (*name, *other) != ("--map", "--map") && !piped && same_place(at, path)
@@ -217,7 +217,7 @@ fn grow_one(
     Source { training, thumbnail, of_batch }: &Source,
 ) -> Result<Option<Thumbnail>, Error> {
     args.check_outputs()?;
-    // Wrong file names are reported before errors of the document.
+    // Wrong file names are reported before errors in the document.
     check_targets(args)?;
     let (document, was) = opened(args)?;
     if let Some(model) = &document.model {
@@ -268,7 +268,8 @@ fn grow_one(
     let outlines = drawn.as_ref().map(outlines::Drawn::report);
     let report = WrittenReport { report: report(&document, &source, &grown, seconds), outlines };
     prepared.extend(prepare_report(args, &report)?);
-    // Either all files get their names or none does: every file is complete on disk before the first is renamed.
+    // Either all files get their final names or none does: every file is complete on disk before the first one is
+    // renamed.
     during(Section::Write, || files::keep_all(prepared)).map_err(Error::step)?;
     if args.report.as_deref().is_some_and(is_stdout) {
         super::print(&report.text()?)?;
@@ -279,7 +280,7 @@ fn grow_one(
     Ok(thumbnail.map(|side| Thumbnail::new(&document, &grown, side)))
 }
 
-/// Writes the report under a temporary name, if a file is to have it.
+/// Writes the report under a temporary name, if it is to be a file.
 fn prepare_report(args: &Args, report: &WrittenReport) -> Result<Option<Prepared>, Error> {
     let Some(path) = args.report.as_ref().filter(|path| !is_stdout(path)) else { return Ok(None) };
     let text = report.text()?;
@@ -300,7 +301,7 @@ fn say_notes(layers: &[LayerReport], drawn: Option<&outlines::Drawn>) {
     }
 }
 
-/// The document, with the seed and the picture that the arguments name.
+/// The document, with the seed and the pictures that the arguments name.
 fn opened(args: &Args) -> Result<(Document, Extent), Error> {
     let (document, was) = args.settings.open(&args.file)?;
     let mut document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
@@ -321,7 +322,7 @@ fn is_stdout(path: &Path) -> bool {
     files::is_standard_output(path)
 }
 
-/// Checks whether all files can be written, before the work is done.
+/// Checks whether all files can be written, before the growth starts.
 fn check_targets(args: &Args) -> Result<(), Error> {
     let pictures = Format::ENDINGS.iter().map(|(ending, _)| *ending);
     let endings: Vec<_> = pictures.chain(outline::FORMATS).chain(body::MODELS).collect();
@@ -342,7 +343,7 @@ struct WrittenReport {
 
 impl WrittenReport {
     fn text(&self) -> Result<String, Error> {
-        // Through text, in which numbers of single precision have their own few digits.
+        // Written as text first, so that numbers of single precision keep their few digits.
         let text = serde_json::to_string(self).map_err(Error::step)?;
         Ok(format!("{:#}\n", known(serde_json::from_str(&text).map_err(Error::step)?)))
     }

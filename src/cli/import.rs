@@ -14,47 +14,49 @@ use std::path::PathBuf;
 /// Arguments of `dapple import`.
 #[derive(clap::Args, Debug)]
 pub struct Args {
-    /// An SVG, whose ellipses, circles, lines, rectangles and paths become marks and its groups layers; or a photograph of
-    /// spots or stripes (JPEG, PNG, WebP, TIFF), of which a sketch is made
+    /// An SVG, whose ellipses, circles, lines, rectangles and paths become marks and whose groups become layers; or a
+    /// photograph of spots or stripes (JPEG, PNG, WebP, TIFF), from which a sketch is made
     #[arg(value_name = "IN")]
     pub file: PathBuf,
     /// Where to write the document
     #[arg(short, long, value_name = "OUT.dapple")]
     pub output: PathBuf,
-    /// px an inch of the canvas [default: 96 of an SVG, which says its size in mm or in px of 1/96 inch, and of outlines that dapple
-    /// wrote the dpi of their document; what a photograph
-    /// says, or else 300]
+    /// Resolution of the canvas, px per inch [default: for an SVG 96 (its size is in mm, or in px of 1/96 inch); for
+    /// outlines that dapple wrote, the dpi of their document; for a photograph what it says, or else 300]
     #[arg(long, value_name = "N", value_parser = values::dpi)]
     pub dpi: Option<f64>,
-    /// Photograph: columns and rows of regions [default: as few as explain how the marks change]
+    /// Photograph: columns and rows of regions [default: as few as describe how the marks change]
     #[arg(long, value_name = "CxR", value_parser = values::regions, help_heading = "Photographs")]
     pub regions: Option<[usize; 2]>,
-    /// Photograph: draw all marks, without regions, in place of a few that stand for them
+    /// Photograph: draw all marks, without regions, instead of a few that represent them
     #[arg(long, conflicts_with = "regions", help_heading = "Photographs")]
     pub all_marks: bool,
-    /// Photograph: how many sizes of spots become layers of their own [default: 2 where they are clearly apart]
+    /// Photograph: number of sizes of spots that become separate layers [default: 2 where large and small spots are
+    /// clearly different]
     #[arg(long, value_name = "N", value_parser = values::whole(1..=2u8), help_heading = "Photographs")]
     pub layers: Option<u8>,
-    /// Photograph: it is no pattern that dapple has written, though it is gray of 16 bits from black to white
+    /// Photograph: read a 16-bit gray picture from black to white as an ordinary picture, not as a pattern that dapple
+    /// wrote
     #[arg(long, help_heading = "Photographs")]
     pub no_pattern: bool,
-    /// Photograph: take the phase that covers more as the marks
+    /// Photograph: the marks are the part that covers more of the picture, not the part that covers less
     #[arg(long, help_heading = "Photographs")]
     pub invert: bool,
-    /// Photograph: where the edge of the marks lies, between 0 (ground) and 1 (marks); the lower, the larger they are [default:
-    /// about where the picture changes most]
+    /// Photograph: where the edge of a mark lies, from 0 (the tone of the ground) to 1 (that of the marks); the lower,
+    /// the larger the marks [default: about where the picture changes most]
     #[arg(long, value_name = "N", value_parser = values::edge_level, help_heading = "Photographs")]
     pub level: Option<f32>,
-    /// Photograph: what has less area is no mark, px² [default: 5 % of the usual area]
+    /// Photograph: smallest area of a mark, px²; smaller ones are left out [default: 5 % of the usual area]
     #[arg(long, value_name = "AREA", value_parser = values::positive, help_heading = "Photographs")]
     pub smallest: Option<f64>,
     /// Photograph: make a sketch although it shows neither spots nor stripes
     #[arg(long, help_heading = "Photographs")]
     pub take_it: bool,
-    /// Photograph: read this part alone, px from the upper left corner (of what --corners makes)
+    /// Photograph: read only this part, px from the upper left corner (after --corners, if that is given)
     #[arg(long, value_name = "X,Y,W,H", value_parser = values::crop, help_heading = "Photographs")]
     pub crop: Option<Crop>,
-    /// Photograph: pull the part between four corners to a rectangle: upper left, upper right, lower right, lower left, px
+    /// Photograph: make a rectangle of the part between four corners: upper left, upper right, lower right, lower left,
+    /// px
     #[arg(long, value_name = "X,Y,X,Y,X,Y,X,Y", value_parser = values::corners, help_heading = "Photographs")]
     pub corners: Option<Corners>,
     /// Print what was read as one JSON object
@@ -89,7 +91,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     Ok(())
 }
 
-/// Writes the document of an SVG; returns what was read, in words and as JSON.
+/// Writes the document of an SVG; returns a description of what was read, as text and as JSON.
 fn drawing(args: &Args) -> Result<(String, Vec<String>, Value), Error> {
     let of_photographs = [
         ("--regions", args.regions.is_some()),
@@ -116,7 +118,7 @@ fn drawing(args: &Args) -> Result<(String, Vec<String>, Value), Error> {
     Ok((imported.summary, Vec::new(), json))
 }
 
-/// Writes the document of a photograph; returns what was read, in words and as JSON.
+/// Writes the document of a photograph; returns a description of what was read, as text and as JSON.
 fn photograph(args: &Args) -> Result<(String, Vec<String>, Value), Error> {
     let options = PhotoOptions {
         framing: Framing {

@@ -8,15 +8,15 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::Duration;
 
-/// How long the work may take to stop by itself. After that the program ends whatever it does.
+/// The time that the work has to stop by itself. After that the program ends in any case.
 const GRACE: Duration = Duration::from_millis(150);
 
 static FLAG: OnceLock<Arc<AtomicBool>> = OnceLock::new();
 
 /// The flag that Ctrl-C sets; long work checks it and stops.
 ///
-/// From the first call on the program ends a sixth of a second after Ctrl-C at the latest, and at once after a second one. All
-/// calls return the same flag.
+/// After the first call of this function, the program ends within a sixth of a second after Ctrl-C, and at once after a
+/// second Ctrl-C. All calls return the same flag.
 pub fn install() -> Arc<AtomicBool> {
     let flag = FLAG.get_or_init(|| {
         let flag = Arc::new(AtomicBool::new(false));
@@ -40,14 +40,14 @@ pub fn install() -> Arc<AtomicBool> {
     Arc::clone(flag)
 }
 
-/// Ends the program: deletes its unfinished files, says that it was interrupted, and exits.
+/// Ends the program: deletes its unfinished files, reports the interruption, and exits.
 pub fn end() -> ! {
     static ENDING: Mutex<()> = Mutex::new(());
-    // Whoever comes second waits for the end.
+    // A second caller waits for the program to end.
     let _first = ENDING.lock().unwrap_or_else(PoisonError::into_inner);
     files::abandon();
     let mut stderr = io::stderr();
-    // The bar of a terminal is overwritten. If stderr is closed, this is lost.
+    // The message overwrites the progress bar of a terminal. If stderr is closed, it is lost.
     let _ = write!(stderr, "{}", if stderr.is_terminal() { "\r\x1b[K" } else { "" });
     super::failed(&Error::Interrupted.to_string(), Error::Interrupted.exit_code(), super::Form::wanted());
     std::process::exit(Error::Interrupted.exit_code().into())

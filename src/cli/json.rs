@@ -1,4 +1,4 @@
-//! JSON for programs: figures that do not exist are left out.
+//! JSON output. Values that do not exist are left out.
 
 use serde_json::{Map, Value};
 
@@ -12,8 +12,8 @@ pub fn print_json(object: Value) -> Result<(), Error> {
     print(&format!("{:#}\n", known(object)))
 }
 
-/// `value` without entries that are null: those that do not apply, and numbers that are infinite or not a number. A list that holds
-/// one is left out as a whole, for its places have meanings.
+/// `value` without entries that are null: those that do not apply, and numbers that are infinite or not a number. A
+/// list that contains such an entry is left out as a whole, because the position in a list has a meaning.
 pub fn known(value: Value) -> Value {
     existing(value).unwrap_or(Value::Object(Map::new()))
 }
@@ -36,7 +36,7 @@ mod tests {
     use serde_json::json;
 
     #[test]
-    fn figures_that_do_not_exist_are_left_out() {
+    fn values_that_do_not_exist_are_left_out() {
         let object = json!({"a": f64::NAN, "b": [1.0, f64::INFINITY], "c": {"d": null, "e": 1}, "f": [{"g": null}], "h": []});
         assert_eq!(known(object).to_string(), r#"{"c":{"e":1},"f":[{}],"h":[]}"#);
     }

@@ -31,7 +31,7 @@ pub struct Args {
     /// Only this system.
     #[arg(long, value_name = "S", value_parser = values::learnt, help = values::learnt_help())]
     pub system: Option<SystemChoice>,
-    /// Number of random targets to grow for each system, and most rows to hold out
+    /// Number of random targets to grow for each system, and most rows to leave out of a training set and look up
     #[arg(long, value_name = "N", default_value_t = 200, value_parser = values::whole(1..=10_000u32))]
     pub targets: u32,
     /// Use the training sets in this folder instead of those built in
@@ -40,7 +40,7 @@ pub struct Args {
     /// Compare parameters only; grow nothing
     #[arg(long)]
     pub no_simulation: bool,
-    /// Always refine by two growths of a patch, even if the training set is certain
+    /// Always correct the lookup by two growths of a small patch, even if the training set is certain
     #[arg(long, conflicts_with = "no_simulation")]
     pub always_probe: bool,
     /// Seed of the random targets and of their growths
@@ -60,13 +60,13 @@ pub struct Args {
 /// The common inputs of all comparisons.
 struct Setting<'a> {
     training: &'a Training,
-    /// Targets and questions for each system.
+    /// The number of targets, and of rows to look up, for each system.
     targets: usize,
     seed: u64,
     when: When,
     /// Whether all systems are compared.
     all: bool,
-    /// Whether anything is grown.
+    /// Whether random targets are grown.
     grow: bool,
     watch: &'a Watch<'a>,
 }

@@ -13,7 +13,7 @@ pub struct Args {
     pub file: PathBuf,
     #[command(flatten)]
     pub settings: Settings,
-    /// Where the window is on the web; "" for the fragment alone
+    /// The address of the window on the web; "" prints only the part of the link after #
     #[arg(long, value_name = "ADDRESS", default_value = SITE)]
     pub site: String,
 }

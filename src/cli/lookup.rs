@@ -54,13 +54,15 @@ pub struct Args {
     /// Raggedness of patches: (contour ÷ contour of an ellipse)², 1 or more [default: the least]
     #[arg(long, value_name = "Q", value_parser = values::raggedness, requires = "area")]
     pub raggedness: Option<f64>,
-    /// Stripe width ÷ period of meinhardt-lines, streaks and cracks, 0.18 to 0.82 [default: 0.5, or the system's own]
+    /// Stripe width ÷ period, for meinhardt-lines, streaks and cracks, 0.18 to 0.82 [default: 0.5, or that of the
+    /// system]
     #[arg(long, value_name = "Q", value_parser = values::duty, requires = "width")]
     pub duty: Option<f64>,
-    /// Another direction of a weave or a maze: its angle, and its width and duty where they differ; may be given up to four times
+    /// Another direction of a weave or a maze: its angle, and its width and duty where they differ; can be given up to
+    /// four times
     #[arg(long, value_name = "D[,W[,Q]]", value_parser = values::across, requires = "width")]
     pub across: Vec<values::Across>,
-    /// Size of the pieces of a maze, px [default: four periods]
+    /// Length of the pieces of a maze, px [default: four periods]
     #[arg(long, value_name = "L", value_parser = values::positive, requires = "across")]
     pub long: Option<f64>,
     /// Decay of stucco, 0 to 0.85 [default: 0.8]
@@ -93,9 +95,9 @@ impl Args {
     /// [`Error::Usage`] if the system needs other attributes.
     pub fn question(&self) -> Result<Option<(SystemChoice, Attributes)>, Error> {
         let Some(system) = self.system else { return Ok(None) };
-        let system = values::stripes_with(system, self.duty.is_some());
+        let system = system.with_stripes_chosen(self.duty.is_some());
         let usage = |needs: &str| Error::Usage(format!("--system {}: it needs {needs}", system.name()));
-        // Blotches have a width, as lines do.
+        // Streaks and cracks have a width, as lines do.
         let attributes = if system.is_known(Description::is_striped) {
             let needs = "--width and --angle (area, aspect and spacing are a spot's)";
             let undirected = system.is_known(|system| !system.directed);
@@ -121,7 +123,7 @@ impl Args {
     }
 
     /// # Errors
-    /// [`Error::Usage`] where something is asked that only systems of pairs have.
+    /// [`Error::Usage`] where an option is given that only systems of pairs have.
     fn refuse_of_pairs(&self, system: SystemChoice) -> Result<(), Error> {
         let given = [
             ("--across", !self.across.is_empty(), "with weave and maze"),
@@ -180,8 +182,8 @@ fn run_batch(training: &Training, table: &Path, output: &Path) -> Result<(), Err
     }
 }
 
-/// Writes the table in `input` with the answer in each row to `output`; `file` is its name in messages. It holds a thousand rows
-/// at a time. (It stays in the command line because cells are parsed as the options are.)
+/// Writes the table in `input` with the answer in each row to `output`; `file` is its name in messages. At most a
+/// thousand rows are in memory at a time. (This is part of the command line because cells are parsed like options.)
 ///
 /// # Errors
 /// The first invalid row, with line and column; a training set that cannot be read; [`Error::Output`] where `output` fails;
@@ -207,5 +209,5 @@ pub fn answer_table(
     }
 }
 
-/// Rows of a table that are answered together.
+/// The number of rows of a table that are answered together.
 const ROWS: usize = 1_000;

@@ -62,7 +62,7 @@ pub fn man(args: &ManArgs) -> Result<(), Error> {
     print(&page(&root, command)?)
 }
 
-/// Such as `dapple-grow`.
+/// The title of a page, for example `dapple-grow`.
 fn title(root: &Command, command: &Command) -> String {
     let (name, program) = (command.get_name(), root.get_name());
     if name == program { name.to_owned() } else { format!("{program}-{name}") }
@@ -75,7 +75,8 @@ fn page(root: &Command, command: &Command) -> Result<String, Error> {
     Ok(in_ascii(&String::from_utf8_lossy(&page)))
 }
 
-/// The page with escapes instead of other characters than ASCII, as not every troff knows the encoding of its input.
+/// The page with escape sequences in place of characters outside ASCII, because not every troff knows the encoding of
+/// its input.
 fn in_ascii(page: &str) -> String {
     let escaped = |c: char| if c.is_ascii() { c.to_string() } else { format!("\\[u{:04X}]", u32::from(c)) };
     page.chars().map(escaped).collect()

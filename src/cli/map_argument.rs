@@ -1,4 +1,4 @@
-//! A map named on the command line → a map of a layer.
+//! Reads a map on the command line, and makes it a map of a layer.
 
 use std::path::PathBuf;
 
@@ -6,10 +6,10 @@ use crate::document::{Document, LayerMap, MapKey, MapSource, limits};
 use crate::files::read_tone;
 use crate::synth::import::measured_picture::MeasureError;
 
-/// What `--map` says: `area=IMG:LOW:HIGH`, `area=IMG:LOW:HIGH:factor` or `area=noise:SIZE:LOW:HIGH`.
+/// A value of `--map`: `area=IMG:LOW:HIGH`, `area=IMG:LOW:HIGH:factor` or `area=noise:SIZE:LOW:HIGH`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapArgument {
-    /// What it varies.
+    /// The attribute that the map varies.
     pub key: MapKey,
     /// Where its values come from.
     pub source: MapArgumentSource,
@@ -20,14 +20,14 @@ pub struct MapArgument {
 /// Where the values of a map come from.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MapArgumentSource {
-    /// A picture file, and whether what the sketch asks for is multiplied.
+    /// A picture file, and whether its values are factors on what the sketch asks for.
     Picture(PathBuf, bool),
     /// Noise of this size, px.
     Noise(f64),
 }
 
 impl MapArgument {
-    /// The picture that it names.
+    /// The picture file of the map, if it has one.
     #[must_use]
     pub fn picture(&self) -> Option<&PathBuf> {
         if let MapArgumentSource::Picture(path, _) = &self.source { Some(path) } else { None }
@@ -75,7 +75,7 @@ impl std::str::FromStr for MapArgument {
 /// Reads the picture that `argument` names, if it names one, and varies the lowest layer of `document` by it.
 ///
 /// # Errors
-/// As [`read_tone`].
+/// Those of [`read_tone`].
 pub fn read_map(document: &mut Document, argument: &MapArgument) -> Result<(), MeasureError> {
     let source = match &argument.source {
         MapArgumentSource::Picture(path, factor) => {

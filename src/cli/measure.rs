@@ -15,16 +15,16 @@ use std::path::PathBuf;
 pub struct Args {
     /// The picture (PNG, JPEG, WebP, TIFF, BMP, GIF); - is standard input.
     pub image: PathBuf,
-    /// Measure the larger phase, not the smaller one.
+    /// Measure the part that covers more of the picture, not the part that covers less.
     #[arg(long)]
     pub invert: bool,
-    /// Read this part alone, px from the upper left corner
+    /// Read only this part, px from the upper left corner
     #[arg(long, value_name = "X,Y,W,H", value_parser = values::crop)]
     pub crop: Option<Crop>,
-    /// What has less area is no mark, px² [default: 5 % of the usual area]
+    /// Smallest area of a mark, px²; smaller ones are left out [default: 5 % of the usual area]
     #[arg(long, value_name = "AREA", value_parser = values::positive)]
     pub smallest: Option<f64>,
-    /// It is no pattern that dapple has written, though it is gray of 16 bits from black to white
+    /// Read a 16-bit gray picture from black to white as an ordinary picture, not as a pattern that dapple wrote
     #[arg(long)]
     pub no_pattern: bool,
     /// The marks are patches: spots with outlines of any shape.
@@ -56,7 +56,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     print(&as_text(&picture))
 }
 
-/// The object of `measure --json` (`docs/format.md`): only keys that apply.
+/// The JSON object of `measure --json` (`docs/format.md`), with the keys that apply.
 fn as_json(found: &Picture) -> Value {
     match found {
         Picture::Spots { marks, got, spread, raggedness } => {

@@ -53,7 +53,7 @@ struct Cli {
 enum Command {
     /// Grow documents and write their pictures
     Grow(Box<grow::Args>),
-    /// Film a document while it grows, or while it turns into another
+    /// Film a document while it grows, or while it changes into another one
     Film(film::Args),
     /// Grow many documents and lay their pictures out on one sheet
     Sheet(sheet::Args),
@@ -111,7 +111,8 @@ fn parsed(arguments: Vec<OsString>) -> Result<Cli, clap::Error> {
     Cli::from_arg_matches_mut(&mut matches).map_err(|error| error.format(&mut command))
 }
 
-/// All commands. A value that is no name may begin with a hyphen, so that its own parser says of a negative number what is allowed.
+/// All commands. The value of an option that takes a number may begin with a hyphen, so that a negative number reaches
+/// the parser of that option, whose error says what is allowed.
 fn command() -> clap::Command {
     let names = [TypeId::of::<PathBuf>(), TypeId::of::<String>()];
     let is_name = move |arg: &Arg| names.iter().any(|name| arg.get_value_parser().type_id() == *name);
@@ -141,8 +142,8 @@ fn run(command: Command) -> Result<(), Error> {
     }
 }
 
-/// Chooses the solver named by the environment variable `DAPPLE_SOLVER`. All solvers give the same bits, so this is not an option
-/// of commands but a means for tests, and for working around a processor's fault.
+/// Chooses the solver that the environment variable `DAPPLE_SOLVER` names. All solvers give the same bits. The variable
+/// is for tests, and for avoiding a faulty processor instruction, so it is not an option of commands.
 fn choose_solver() -> Result<(), Error> {
     let Some(name) = std::env::var_os("DAPPLE_SOLVER").filter(|name| !name.is_empty()) else { return Ok(()) };
     let name = name.to_string_lossy();
@@ -172,7 +173,7 @@ fn window(file: Option<&OsString>) -> Result<(), Error> {
     crate::app::run(file.map(Into::into)).map_err(Error::step)
 }
 
-/// Built without the window.
+/// Reports that this program was built without the window.
 #[cfg(not(feature = "app"))]
 fn window(file: Option<&OsString>) -> Result<(), Error> {
     print(&Cli::command().render_help().to_string())?;
@@ -191,7 +192,7 @@ enum Form {
 }
 
 impl Form {
-    /// Whether the arguments of the process ask for JSON, also where they are not valid.
+    /// Whether the arguments of the process ask for JSON, even if the arguments are not valid.
     fn wanted() -> Self {
         if std::env::args_os().any(|argument| argument == "--json") { Self::Json } else { Self::Text }
     }
@@ -210,7 +211,7 @@ fn failed(message: &str, code: u8, form: Form) -> ExitCode {
     ExitCode::from(code)
 }
 
-/// A text for a terminal: control characters, which names of files may hold, are written as `\\u{1b}`.
+/// A text for a terminal. Control characters, which file names may hold, are written as `\\u{1b}`.
 fn escaped(text: &str) -> String {
     let plain =
         |c: char| if c.is_control() && c != '\n' { c.escape_default().to_string() } else { c.to_string() };
@@ -225,7 +226,7 @@ fn finish(result: Result<(), Error>, form: Form) -> ExitCode {
         interrupt::end();
     }
     if error.is_broken_pipe() {
-        // The reader of stdout, such as `head`, has ended: not an error.
+        // The reader of stdout, such as `head`, has ended: this is not an error.
         return ExitCode::SUCCESS;
     }
     failed(&with_causes(&error), error.exit_code(), form)
@@ -240,7 +241,7 @@ pub fn print(text: &str) -> Result<(), Error> {
     stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()).map_err(Error::Output)
 }
 
-/// Writes one note to stderr. Where stderr is closed the note is lost: that is no reason to fail.
+/// Writes one note to stderr. Where stderr is closed the note is lost, which is not a failure.
 fn note(text: &str) {
     let _ = writeln!(io::stderr(), "note: {}", escaped(text));
 }

@@ -1,15 +1,16 @@
-//! Checks of paths: what is read must not be written over.
+//! Checks that no output overwrites an input.
 
 use super::Error;
 use crate::files::is_pipe;
 use std::path::{Path, PathBuf};
 
-/// Refuses to write over the file that is read, which is called `name` in the usage.
+/// Refuses to overwrite the input file, which is called `name` in the usage.
 ///
 /// # Errors
+///
 /// [`Error::WriteOver`].
 pub fn check_apart(name: &str, input: &Path, output: &Path) -> Result<(), Error> {
-    // `-` is standard input and standard output, which are two.
+    // `-` means standard input or standard output, which are not the same file.
     if same_place(input, output) && !is_pipe(input) {
         let (name, file) = (name.to_owned(), output.to_owned());
         return Err(Error::WriteOver { name, output: "--output", file });
@@ -32,7 +33,7 @@ pub fn check_not_in_training(training: Option<&Path>, output: &Path) -> Result<(
     Ok(())
 }
 
-/// Whether two paths lead to the same file, as `a.png` and `./a.png`.
+/// Whether two paths lead to the same file, for example `a.png` and `./a.png`.
 pub fn same_place(a: &Path, b: &Path) -> bool {
     resolved(a) == resolved(b)
 }

@@ -1,10 +1,12 @@
 //! The progress bar of a growth, on a terminal.
 
+use std::io::{self, IsTerminal};
+
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::synth::Stage;
 
-/// Steps of the bar, more than columns of any terminal.
+/// Steps of the bar: more than any terminal has columns.
 const STEPS: f64 = 1000.0;
 
 /// A progress bar with the time left. Nothing is drawn if stderr is not a terminal.
@@ -29,9 +31,10 @@ impl Bar {
         self.0.set_position((STEPS * overall(stage, share)) as u64);
     }
 
-    /// Writes a note, if there is one, above the bar.
+    /// Writes a note on how long the work takes, if there is one, above the bar. It depends on what else the machine does, so that it goes to
+    /// terminals only: elsewhere the same work writes the same lines.
     pub fn note(&self, text: Option<String>) {
-        if let Some(text) = text {
+        if let Some(text) = text.filter(|_| io::stderr().is_terminal()) {
             self.0.suspend(|| super::note(&text));
         }
     }
@@ -42,7 +45,7 @@ impl Bar {
     }
 }
 
-/// A stage's name, and its start and end in the whole growth, as measured on a canvas of 512 × 512 px.
+/// The name of a stage, and its start and end as shares of the whole growth, measured on a canvas of 512 × 512 px.
 fn place(stage: Stage) -> (&'static str, f64, f64) {
     match stage {
         Stage::Plan => ("planning", 0.0, 0.05),

@@ -1,4 +1,4 @@
-//! `--set`: values that are put into the documents of a command.
+//! `--set`: values that replace those in the documents of a command.
 
 use std::path::Path;
 
@@ -6,11 +6,11 @@ use super::Error;
 use crate::document::{Document, Extent, Setting};
 use crate::files::{self, ReadFile};
 
-/// Values in place of those in a document.
+/// Values that replace those in a document.
 #[derive(clap::Args, Clone, Debug, Default)]
 pub struct Settings {
     /// Values that are put into the document before it is checked.
-    // A text of its own: in documentation, the brackets of a place would be links.
+    // A separate text, because in documentation the brackets of a place would be links.
     #[arg(
         long = "set",
         value_name = "PLACE=VALUE",
@@ -38,7 +38,8 @@ impl Settings {
         Ok((self.applied(document, path)?, extent))
     }
 
-    /// The document of a file with the values put in. Heights beside it are read again: a value may name others.
+    /// The document of a file with the values put in. Height pictures beside the document are read again, because a
+    /// value may name others.
     fn applied(&self, document: Document, path: &Path) -> Result<Document, Error> {
         let mut document = document.with_settings(&self.set, &files::source(path))?;
         if !self.set.is_empty() {

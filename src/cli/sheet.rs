@@ -29,9 +29,9 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use text::Pen;
 
-/// Pictures are painted with so many times the px of their thumbnails along each side, then scaled down.
+/// Pictures are painted with this many times the px of their thumbnails along each side, then scaled down.
 pub(super) const SUPERSAMPLING: usize = 3;
-/// Largest sheet, px: 400 MB while it is made.
+/// Largest sheet, px. It takes 400 MB while it is made.
 const MAX_PX: usize = 1 << 27;
 /// Most lines of a name.
 const NAME_LINES: usize = 3;
@@ -47,7 +47,7 @@ pub struct Args {
     /// Where to write the sheet
     #[arg(short, long, value_name = "SHEET.png")]
     pub output: PathBuf,
-    /// Documents in a row [default: chosen for a sheet slightly wider than high]
+    /// Documents in a row [default: chosen so that the sheet is slightly wider than high]
     #[arg(long, value_name = "N", value_parser = values::count)]
     pub columns: Option<usize>,
     /// The longer side of each picture, px
@@ -56,7 +56,8 @@ pub struct Args {
     /// Grow each document with K seeds, side by side: its own and the next ones
     #[arg(long, value_name = "K", default_value = "1", value_parser = values::count)]
     pub seeds: usize,
-    /// Show reliefs, lit from the upper left, with marks so high above the ground (negative: deep in it) [default: 4]
+    /// Show reliefs, lit from the upper left, with marks of this height above the ground (negative: below it) [default:
+    /// 4]
     #[arg(
         long, value_name = "PX", num_args = 0..=1, require_equals = true, default_missing_value = "4",
         value_parser = values::relief
@@ -190,7 +191,7 @@ fn lay_out(args: &Args, entries: &[Entry], pen: &Pen) -> Result<(Layout, Vec<Vec
     Ok((layout, names))
 }
 
-/// Grows all pictures onto the paper; returns why some are missing, one line each.
+/// Grows all pictures onto the paper; returns the reasons for those that are missing, one line each.
 fn fill(
     args: &Args,
     entries: &[Entry],

@@ -24,7 +24,7 @@ pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
     let both = is_one.then_some((text, text));
     let (width, height) = both.or_else(|| text.split_once(['x', 'X', '×'])).ok_or_else(allowed)?;
     let side = |text: &str| {
-        // Rust would accept `+5`.
+        // Rust's parser would accept `+5`.
         let side = text.bytes().all(|c| c.is_ascii_digit()).then(|| text.parse::<u64>().ok()).flatten();
         let side = side.ok_or_else(|| format!("found {text:?} for a side; {}", allowed()))?;
         let whole = u32::try_from(side).ok().filter(|side| (1..=limits::MAX_SIDE).contains(side));
@@ -33,7 +33,7 @@ pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
     Ok([side(width)?, side(height)?])
 }
 
-/// `CxR`, such as `3x2`: columns and rows of regions.
+/// Columns and rows of regions, `CxR`, for example `3x2`.
 pub(super) fn regions(text: &str) -> Result<[usize; 2], String> {
     let allowed = || format!("allowed: COLUMNSxROWS, 1 to {} each, such as 3x2", limits::MAX_REGIONS);
     let (columns, rows) = text.split_once(['x', 'X', '×']).ok_or_else(allowed)?;
@@ -44,7 +44,7 @@ pub(super) fn regions(text: &str) -> Result<[usize; 2], String> {
     Ok([count(columns)?, count(rows)?])
 }
 
-/// `X,Y,W,H`, whole px: a part of a picture.
+/// A part of a picture, `X,Y,W,H`, whole px.
 pub(super) fn crop(text: &str) -> Result<Crop, String> {
     const ALLOWED: &str = "allowed: X,Y,WIDTH,HEIGHT in whole px, such as 200,100,800,600";
     let numbers: Option<Vec<usize>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
@@ -56,7 +56,7 @@ pub(super) fn crop(text: &str) -> Result<Crop, String> {
     }
 }
 
-/// Four corners, px: eight numbers.
+/// Four corners, eight numbers, px.
 pub(super) fn corners(text: &str) -> Result<Corners, String> {
     const ALLOWED: &str = "allowed: X,Y of four corners in px, from the upper left one clockwise, such as 10,20,790,0,800,600,0,580";
     let number = |number: &str| number.trim().parse::<f64>().ok().filter(|number| number.is_finite());
@@ -123,24 +123,13 @@ fn system_where(text: &str, allowed: impl Fn(&Description) -> bool) -> Result<Sy
     system.map(SystemChoice::Of).ok_or_else(|| format!("allowed: {}", names_where(allowed)))
 }
 
-/// Such a system by name, or `stripes`, which leaves it open: see [`stripes_with`].
+/// The allowed system of this name, or `stripes`, which leaves the system open: see [`SystemChoice::with_stripes_chosen`].
 fn stripes_or(text: &str, allowed: impl Fn(&Description) -> bool) -> Result<SystemChoice, String> {
     let stripes = SystemChoice::Stripes;
     if text == stripes.name() {
         return Ok(stripes);
     }
     system_where(text, allowed).map_err(|allowed| format!("{allowed}, {}", stripes.name()))
-}
-
-/// The choice, with the system that is meant by `stripes`: one that grows them with the duty that is given, or with its own.
-pub(super) fn stripes_with(choice: SystemChoice, has_duty: bool) -> SystemChoice {
-    let fits = |system: &&&Description| {
-        matches!(system.lookup, LookupBy::Rows) && system.is_striped() && system.free_spacing == has_duty
-    };
-    match (choice, SYSTEMS.iter().find(fits)) {
-        (SystemChoice::Stripes, Some(system)) => SystemChoice::Of(system),
-        _ => choice,
-    }
 }
 
 /// The names of all such systems.
@@ -151,14 +140,15 @@ fn names_where(allowed: impl Fn(&Description) -> bool) -> String {
 
 /// A length (px) or an area (px²).
 pub(super) fn positive(text: &str) -> Result<f64, String> {
-    // Above the area of the largest canvas and below that of the smallest mark, and far from where squares and quotients overflow.
+    // More than the area of the largest canvas, less than that of the smallest mark, and far from where squares and
+    // quotients overflow.
     let number = text.parse::<f64>().ok().filter(|number| (1e-6..=1e12).contains(number));
     number.ok_or_else(|| "allowed: a number above 0, from 1e-6 to 1e12".to_owned())
 }
 
 /// An aspect.
 pub(super) fn aspect(text: &str) -> Result<f64, String> {
-    // Far below the narrowest mark that grows; of less than that the longer radius overflows.
+    // Far below the narrowest mark that grows; for smaller values the longer radius overflows.
     const LEAST: f64 = 1e-6;
     let number = text.parse::<f64>().ok().filter(|number| (LEAST..=1.0).contains(number));
     number.ok_or_else(|| format!("allowed: minor / major radius, {LEAST} to 1 (round)"))
@@ -166,7 +156,7 @@ pub(super) fn aspect(text: &str) -> Result<f64, String> {
 
 /// A raggedness.
 pub(super) fn raggedness(text: &str) -> Result<f64, String> {
-    // Beyond it patches are threads, and so are spirals.
+    // Beyond this value patches are only threads, and so are spirals.
     const MOST: f64 = 100.0;
     let number = text.parse::<f64>().ok().filter(|number| (1.0..=MOST).contains(number));
     number.ok_or_else(|| format!("allowed: (contour ÷ contour of an ellipse)², 1 to {MOST}"))
@@ -179,7 +169,7 @@ pub(super) fn duty(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| format!("allowed: {}", limits::DUTY))
 }
 
-/// Why stripes of `system` cannot have this duty, and which they can; `None` where they can.
+/// Why stripes of `system` cannot have this duty, and which duties they can have; `None` where they can.
 pub(super) fn duty_mismatch(duty: f64, system: SystemChoice) -> Option<String> {
     let layer = Layer {
         system,
@@ -190,9 +180,9 @@ pub(super) fn duty_mismatch(duty: f64, system: SystemChoice) -> Option<String> {
     rule.filter(|_| duty != LayerOptions::DUTY).map(|rule| format!("{}. {}", LayerOptions::DUTY, rule.reason))
 }
 
-/// What is asked of stripes that `system` grows.
+/// The attributes of stripes that `system` grows.
 pub(super) fn stripes(system: SystemChoice, width: f64, angle: f64, duty: Option<f64>) -> Stripes {
-    // Streaks and cracks have a usual share of their own.
+    // Streaks and cracks have their own usual share.
     let usual = if system.kind() == Some(Family::Lines) { None } else { Some(LayerOptions::DUTY) };
     let period = duty.or(usual).map(|duty| width / duty);
     let wavelength = period.filter(|_| system.is_known(|system| system.free_spacing));
@@ -210,9 +200,9 @@ pub(super) fn angle(text: &str) -> Result<f64, String> {
 pub struct Across {
     /// Direction, degrees.
     pub angle: f64,
-    /// px; `None` = that of the first.
+    /// Width, px; `None` = that of the first direction.
     pub width: Option<f64>,
-    /// Width ÷ period; `None` = that of the first.
+    /// Width ÷ period; `None` = that of the first direction.
     pub duty: Option<f64>,
 }
 
@@ -234,7 +224,7 @@ pub(super) fn decay(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| format!("allowed: {}", limits::DECAY))
 }
 
-/// A whole number of this range.
+/// A whole number in this range.
 pub(super) fn whole<T>(range: RangeInclusive<T>) -> impl Fn(&str) -> Result<T, String> + Clone
 where
     T: TryFrom<i128> + PartialOrd + Display + Clone,
@@ -246,7 +236,7 @@ where
     }
 }
 
-/// The seed of all that is random.
+/// The seed of all random numbers.
 pub(super) fn seed(text: &str) -> Result<u64, String> {
     whole(0..=u64::MAX)(text)
 }
@@ -265,7 +255,7 @@ pub(super) fn bits(text: &str) -> Result<u8, String> {
     }
 }
 
-/// A duration.
+/// A duration, seconds.
 pub(super) fn seconds(text: &str) -> Result<f64, String> {
     let number = text.parse::<f64>().ok().filter(|number| (0.0..=600.0).contains(number));
     number.ok_or_else(|| "allowed: 0 to 600 seconds".to_owned())
@@ -281,7 +271,7 @@ pub(super) fn grid_side(text: &str) -> Result<usize, String> {
     whole(16..=4096)(text).map_err(|allowed| format!("{allowed} cells"))
 }
 
-/// Dots an inch.
+/// Dots per inch.
 pub(super) fn dpi(text: &str) -> Result<f64, String> {
     let number = text.parse::<f64>().ok().filter(|number| limits::DPI.holds(*number));
     number.ok_or_else(|| format!("allowed: {}", limits::DPI))
@@ -290,7 +280,9 @@ pub(super) fn dpi(text: &str) -> Result<f64, String> {
 /// The pattern value that outlines follow.
 pub(super) fn level(text: &str) -> Result<f64, String> {
     let number = text.parse::<f64>().ok().filter(|number| *number > 0.0 && *number < 1.0);
-    number.ok_or_else(|| "allowed: a pattern value above 0 and below 1; 0.5 is the marks' edge".to_owned())
+    number.ok_or_else(|| {
+        "allowed: a pattern value above 0 and below 1; 0.5 is the edge of the marks".to_owned()
+    })
 }
 
 /// The unit of lengths of outlines.
@@ -320,9 +312,9 @@ pub enum StylePart {
     Stroke,
     /// Parallel strokes.
     Hatch {
-        /// Their distance, in the unit of the outlines.
+        /// Distance of the strokes, in the unit of the outlines.
         spacing: f64,
-        /// Their direction, degrees.
+        /// Direction of the strokes, degrees.
         angle: f64,
     },
 }

@@ -1,7 +1,8 @@
 //! Arithmetic in number fields: `20*1.5`, `3mm + 2`, `(10 − 4)/2`.
 
 /// The value of an expression of numbers, `+ − * /` and parentheses. `number` gives the value of a number with the unit
-/// behind it, which may be empty. `None` where the text is no such expression or the value is not finite.
+/// that follows it, which may be empty. `None` where the text is not such an expression, or where the value is not
+/// finite.
 #[must_use]
 pub fn evaluate(text: &str, number: &dyn Fn(f64, &str) -> Option<f64>) -> Option<f64> {
     let text: String = text.chars().filter(|letter| !letter.is_whitespace()).collect();
@@ -12,14 +13,14 @@ pub fn evaluate(text: &str, number: &dyn Fn(f64, &str) -> Option<f64>) -> Option
     (parser.left.is_empty() && value.is_finite()).then_some(value)
 }
 
-/// What is left to read.
+/// The rest of the text, which is still to be read.
 struct Parser<'a> {
     left: &'a str,
     number: &'a dyn Fn(f64, &str) -> Option<f64>,
 }
 
 impl<'a> Parser<'a> {
-    /// Takes one of these signs if it comes next.
+    /// Reads the next character if it is one of these signs.
     fn sign(&mut self, signs: &[char]) -> Option<char> {
         let first = self.left.chars().next().filter(|first| signs.contains(first))?;
         self.left = &self.left[first.len_utf8()..];
@@ -106,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn each_number_has_a_unit_of_its_own() {
+    fn each_number_can_have_its_own_unit() {
         let in_mm = |value, unit: &str| match unit {
             "" | "mm" => Some(value),
             "cm" => Some(10.0 * value),

@@ -7,7 +7,7 @@ use crate::editor::shape;
 use crate::marks::{Line, Mark, Path};
 
 impl Session {
-    /// The selected marks as a document of their own; `None` where nothing is selected.
+    /// The selected marks as a separate document; `None` where nothing is selected.
     #[must_use]
     pub fn copy(&self) -> Option<String> {
         let source = self.document();
@@ -17,18 +17,19 @@ impl Session {
         };
         let layers = (0..source.layers.len()).map(|layer| {
             let strokes = selected(layer).map(|(_, stroke)| stroke.clone()).collect();
-            // The marks alone are copied, not what drives them.
+            // Only the marks are copied, not the pictures that drive their layer.
             Layer { strokes, tone: None, maps: LayerMaps::default(), ..source.layers[layer].clone() }
         });
         let layers: Vec<Layer> = layers.filter(|layer| !layer.strokes.is_empty()).collect();
         (!layers.is_empty()).then(|| Document { layers, ..source.clone() }.to_json())
     }
 
-    /// Adds the marks of a document in `text` and selects them: their common midpoint at `at` (px) if given, else moved by
-    /// `step` px; farther by `step` where they would be exact doubles of other marks.
+    /// Adds the marks of a document in `text` and selects them. Their common midpoint is put at `at` (px) if that is
+    /// given; otherwise they are moved by `step` px. Where they would lie exactly on identical marks, they are moved by
+    /// further steps.
     ///
     /// # Errors
-    /// Where the text is no document.
+    /// Where the text is not a document.
     pub fn paste(&mut self, text: &str, at: Option<[f64; 2]>, step: [f64; 2]) -> Result<(), DocumentError> {
         self.paste_document(Document::parse(text, "the clipboard")?, at, step);
         Ok(())
@@ -47,8 +48,8 @@ impl Session {
         marks.len()
     }
 
-    /// Adds `marks`, drawn as `strokes`, moved by `by` px as far as all of them stay on the canvas, and by further `step`s until none is an exact
-    /// double of another mark; selects them.
+    /// Adds `marks`, drawn as `strokes`, and selects them. They are moved by `by` px as far as all of them stay on the
+    /// canvas, and by further `step`s until none lies exactly on an identical mark.
     fn add_copies(&mut self, marks: &[(Place, Mark)], strokes: &[Stroke], by: [f64; 2], step: [f64; 2]) {
         /// Attempts in each direction; more would leave most canvases.
         const ATTEMPTS: i32 = 40;
@@ -69,7 +70,7 @@ impl Session {
         }
     }
 
-    /// The part of the move `by` (px) that takes no centre of the `marks` over the border: copies are to be seen.
+    /// The part of the move `by` (px) that takes no centre of the `marks` over the border, so that copies can be seen.
     fn limit_copies(&self, marks: &[(Place, Mark)], mut by: [f64; 2]) -> [f64; 2] {
         for (_, mark) in marks {
             let center = shape::center(mark);
@@ -107,8 +108,8 @@ impl Session {
         self.selection = Selection::new(self.editable_marks().map(|(place, _)| place));
     }
 
-    /// Selects the editable mark `step` places after the first selected one, around the end. Returns whether there is
-    /// any.
+    /// Selects the editable mark that comes `step` places after the first selected one; after the last mark comes the
+    /// first. Returns whether there is any.
     pub fn select_next(&mut self, step: isize) -> bool {
         let places: Vec<Place> = self.editable_marks().map(|(place, _)| place).collect();
         if places.is_empty() {
@@ -178,7 +179,7 @@ mod tests {
         assert_eq!(selected(&other), [25.0, 105.0]);
         other.paste(&text, Some([200.0, 50.0]), [5.0, 0.0]).unwrap();
         assert_eq!(selected(&other), [160.0, 240.0]);
-        // At the same place again: beside the marks that are there.
+        // Pasted at the same place again, the marks are put beside those that are there.
         other.paste(&text, Some([200.0, 50.0]), [5.0, 0.0]).unwrap();
         assert_eq!(selected(&other), [165.0, 245.0]);
         assert!(other.paste("a shopping list", None, [0.0; 2]).is_err());
@@ -200,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn the_next_mark_is_selected_around_the_end() {
+    fn after_the_last_mark_the_first_one_is_selected() {
         let mut session = three();
         session.select_all();
         assert_eq!(session.selection.len(), 3);

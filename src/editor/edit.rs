@@ -27,7 +27,7 @@ pub enum Edit {
     Marks(Vec<(Place, Mark)>),
     /// Name a layer.
     LayerName(usize, String),
-    /// Set how a layer meets those beneath.
+    /// Set where the marks of a layer grow relative to those beneath.
     LayerAfter(usize, After),
     /// Set the system of a layer.
     LayerSystem(usize, SystemChoice),
@@ -35,7 +35,8 @@ pub enum Edit {
     LayerOptions(usize, LayerOptions),
     /// Make a layer a field of these points.
     LayerPoints(usize, Points),
-    /// Let a picture drive the layer that has a tone, or else the lowest, which is made where there is none.
+    /// Let a picture drive the layer that has a tone. If no layer has one, the lowest layer gets it, and is created
+    /// where there is none.
     Drive(ToneImage),
     /// Set or remove the tone of a layer.
     LayerTone(usize, Option<Tone>),
@@ -46,7 +47,7 @@ pub enum Edit {
 }
 
 impl Session {
-    /// Carries out a change. It becomes a step that can be undone with the next [`Session::commit`].
+    /// Carries out a change. The next [`Session::commit`] makes it a step that can be undone.
     pub fn change(&mut self, edit: Edit) {
         match edit {
             Edit::Size(size) => self.resize(size),
@@ -73,7 +74,7 @@ impl Session {
         }
         self.edit(|document| tone::drive(document, image));
         let driven = self.document().layers.iter().position(|layer| layer.tone.is_some()).unwrap_or(0);
-        // What does not go with a tone is put back to its default.
+        // Settings that are not allowed beside a tone get their defaults.
         self.change_layer(driven, |_| ());
         self.active_layer = driven;
     }

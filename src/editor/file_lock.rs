@@ -1,5 +1,5 @@
 //! Locks on files that several windows share: one holder at a time. The system releases a lock when its process ends,
-//! however it ends.
+//! in whatever way it ends.
 
 use std::io::ErrorKind;
 use std::path::Path;
@@ -9,7 +9,7 @@ use crate::machine::clock::Instant;
 use crate::machine::fs::{File, OpenOptions, TryLockError};
 use crate::machine::threads;
 
-/// Longest wait for a shared lock: much longer than writing a small file takes, and short enough that a process that
+/// Longest wait for a shared lock. It is much longer than writing a small file takes, and so short that a process which
 /// was stopped while it held the lock does not block the others.
 const TIMEOUT: Duration = Duration::from_millis(500);
 

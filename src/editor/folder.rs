@@ -1,4 +1,4 @@
-//! Folders and chosen files as a file dialog needs them, looked at on threads of their own: a folder may be on a
+//! Lists folders and checks chosen files for a file dialog. This runs on other threads, because a folder may be on a
 //! network drive.
 
 use std::path::{Path, PathBuf};
@@ -51,7 +51,7 @@ pub fn list_resolved(folder: &Path, endings: Endings, tasks: &Tasks) -> Result<T
     })
 }
 
-/// Finds out what is at `path`.
+/// Finds out whether a file or a folder is at `path`.
 ///
 /// # Errors
 /// Where no thread can be started.

@@ -1,16 +1,17 @@
-//! What is kept of the outline of a freehand stroke: no more than a hand can draw, so that links which hold it are short.
+//! Reduces the outline of a freehand stroke to what a hand can draw, so that links with outlines are short.
 
 use crate::document::{Outline, Stroke};
 use crate::marks::Path;
 
-/// How far a corner may lie from the line between others to be left out, px. Hands and screens are coarser.
+/// A corner is left out where it lies within this distance of a line between other corners, px. Hands and screens are
+/// less exact.
 const FINE: f64 = 0.1;
-/// Corners of small outlines, which are drawn enlarged, are left out at this share of the longer side from the line between
-/// others.
+/// In small outlines, which the window shows enlarged, a corner is left out where its distance from a line between
+/// others is below this share of the longer side.
 const SHARE: f64 = 1.0 / 250.0;
 
-/// The outline with these corners, without those that a line between others passes by no more than a tenth of a px, and the others
-/// to a tenth of a px; small outlines are ten times finer. `None` where a document cannot hold it.
+/// A simplified outline: corners that lie within a tenth of a px of a line between others are left out, and the rest
+/// are rounded to a tenth of a px. Small outlines are ten times finer. `None` where a document cannot hold the outline.
 #[must_use]
 pub fn outline(mut corners: Vec<[f64; 2]>) -> Option<Outline> {
     corners.push(*corners.first()?);
@@ -20,12 +21,13 @@ pub fn outline(mut corners: Vec<[f64; 2]>) -> Option<Outline> {
     let steps = if tolerance < FINE { 100.0 } else { 10.0 };
     let rounded = |point: [f64; 2]| point.map(|coordinate| (steps * coordinate).round() / steps);
     let mut points: Vec<[f64; 2]> = ring.simplified(tolerance).points.into_iter().map(rounded).collect();
-    // The first once more.
+    // The first corner is repeated at the end.
     points.pop();
     Outline::of(points)
 }
 
-/// The stroke with the corners of its outline to a thousandth of a px: turned and scaled ones have all digits.
+/// The stroke, with the corners of its outline rounded to a thousandth of a px. Turned and scaled corners have many
+/// more digits.
 #[must_use]
 pub fn rounded(stroke: Stroke) -> Stroke {
     let rounded = |outline: Outline| {
@@ -44,7 +46,7 @@ mod tests {
     use super::*;
     use crate::marks::{distance_to_segment, ellipse_of_outline};
 
-    /// A dented outline round a place, as the pen draws it: 125 corners with all their digits.
+    /// A dented outline around a place, as the pen draws it: 125 corners with all their digits.
     fn drawn(radius: f64) -> Vec<[f64; 2]> {
         let at = |k: usize| std::f64::consts::TAU * k as f64 / 125.0;
         let wide = |t: f64| {
@@ -95,7 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn what_encloses_nothing_is_no_outline() {
+    fn a_stroke_that_encloses_no_area_has_no_outline() {
         assert_eq!(outline(Vec::new()), None);
         assert_eq!(outline(vec![[1.0, 2.0]; 40]), None);
         assert_eq!(outline(vec![[1.0, 2.0], [60.0, 2.0], [30.0, 2.0]]), None);

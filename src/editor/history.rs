@@ -27,7 +27,7 @@ pub struct History {
 }
 
 impl History {
-    /// Adds the state before a change. Steps that were undone can no longer be redone.
+    /// Adds the state before a change. Undone steps can then no longer be redone.
     pub fn push(&mut self, before: Snapshot) {
         self.redo.clear();
         self.undo.push(before);

@@ -1,4 +1,4 @@
-//! Operations on layers, as menus and keys name them.
+//! Operations on layers, for menus and keys.
 
 use crate::document::limits;
 use crate::editor::session::Session;
@@ -6,9 +6,9 @@ use crate::editor::session::Session;
 /// An operation on the active layer, or on another one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LayerAction {
-    /// Add an empty layer above.
+    /// Add an empty layer above the active one.
     Add,
-    /// Freeze it and those beneath, and go on with the next.
+    /// Freeze the active layer and those beneath it, and make the next one active.
     SketchNext,
     /// Make this layer active; a frozen one stays frozen.
     Select(usize),
@@ -18,23 +18,23 @@ pub enum LayerAction {
     UnfreezeThis(usize),
     /// Make the layer above (1) or beneath (−1) active.
     Step(isize),
-    /// Move it up (1) or down (−1).
+    /// Move the active layer up (1) or down (−1).
     Shift(isize),
     /// Move a layer to another index.
     Move(usize, usize),
-    /// Add a copy above.
+    /// Add a copy of the active layer above it.
     Duplicate,
-    /// Hide or show it.
+    /// Hide or show the active layer.
     Hide,
     /// Hide or show this layer.
     HideThis(usize),
-    /// Ask for its name.
+    /// Ask for the name of the active layer.
     Rename,
-    /// Delete it.
+    /// Delete the active layer.
     Delete,
-    /// Put the small spots of this layer on a layer of their own, above it.
+    /// Move the small spots of this layer to a new layer above it.
     SplitBySize(usize),
-    /// Put the lines of this layer that cross others on a layer of their own, above it.
+    /// Move the lines of this layer that cross others to a new layer above it.
     SplitCrossings(usize),
 }
 

@@ -1,10 +1,11 @@
-//! The choices for a layer, and why others are not possible: [`crate::document::layer_rules`] for the panel.
+//! The choices for a layer, and why others are not possible, as the panel needs them from
+//! [`crate::document::layer_rules`].
 
 use crate::document::layer_rules::{Beneath, Combination, Condition};
 use crate::document::{After, Kind, Layer, MapKey, OptionKey, SystemChoice};
 use crate::editor::session::Session;
 
-/// Why layer `layer` cannot have this `after`; `None` where it can.
+/// Why layer `layer` cannot have this value of `after`; `None` where it can.
 #[must_use]
 pub fn after_refusal(session: &Session, layer: usize, after: After) -> Option<&'static str> {
     Some(combination(session, layer)?.against_after(after)?.reason)
@@ -33,13 +34,13 @@ pub fn has_map(layer: &Layer, kind: Option<Kind>, key: MapKey) -> bool {
     (combination.grows().is_some() || layer.point_field().is_some()) && combination.against_map(key).is_none()
 }
 
-/// Why the option cannot be changed beside the other settings of `layer`; `None` where it can.
+/// Why the option cannot be changed together with the other settings of `layer`; `None` where it can.
 #[must_use]
 pub fn option_refusal(layer: &Layer, kind: Option<Kind>, option: OptionKey) -> Option<&'static str> {
     Some(Combination::new(layer, kind, Beneath::Unknown).against_option(option)?.reason)
 }
 
-/// Layer `layer` with what the rules need to know of it.
+/// Layer `layer` with the properties that the rules depend on.
 fn combination(session: &Session, layer: usize) -> Option<Combination> {
     let layers = &session.document().layers;
     let beneath = match session.beneath(layer) {

@@ -1,4 +1,5 @@
-//! The document while it is edited: selection, undo history, layers, marks, its files, recovery. It knows no window toolkit.
+//! The document while it is edited: selection, undo history, layers, marks, its files, recovery. It does not depend on
+//! a window toolkit.
 
 pub mod arithmetic;
 pub mod arrange;

@@ -1,4 +1,4 @@
-//! What a pen does beside a pointer: its pressure, and its barrel button.
+//! What distinguishes a pen from other pointers: its pressure, and its barrel button.
 
 use serde::{Deserialize, Serialize};
 
@@ -34,8 +34,8 @@ impl Pressure {
         }
     }
 
-    /// The factor of widths and radii: ½ without pressure, 1 at half of it, 2 at the most. 1 where no pressure is known, as of a
-    /// mouse or a finger.
+    /// The factor for widths and radii: ½ without pressure, 1 at half of the full pressure, at most 2. It is 1 where no
+    /// pressure is known, for example for a mouse or a finger.
     #[must_use]
     pub fn factor(&self) -> f64 {
         if self.count == 0.0 { 1.0 } else { libm::exp2(2.0 * self.sum / self.count - 1.0) }

@@ -1,10 +1,10 @@
-//! What a picture that is chosen in the window is for.
+//! The use of a picture that is chosen in the window.
 
 use crate::document::{Labels, Layer, LayerMap, MapKey, Points, Progression, ToneImage};
 use crate::editor::edit::Edit;
 use crate::editor::session::Session;
 
-/// What follows the picture.
+/// The part of a layer that follows a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PictureUse {
     /// Which points of a field are dark.
@@ -18,7 +18,8 @@ pub enum PictureUse {
 }
 
 impl PictureUse {
-    /// The change with which layer number `index` follows the picture; `None` where it is no longer a field of points, or no longer there.
+    /// The change that lets layer number `index` follow the picture; `None` where the layer is no longer a field of
+    /// points, or no longer exists.
     #[must_use]
     pub fn edit(self, session: &Session, index: usize, image: ToneImage) -> Option<Edit> {
         let layer = session.document().layers.get(index);

@@ -10,10 +10,10 @@ use crate::files::{self, ReadFile, import_svg, in_picture, open};
 use crate::machine::fs::read_to_string;
 use crate::synth::import::svg::{self, Imported, unread_in_words};
 
-/// Endings of pictures that become a sketch or lie under the canvas.
+/// File name endings of pictures that become a sketch or are shown under the canvas.
 const PICTURES: [&str; 8] = ["png", "jpg", "jpeg", "webp", "tif", "tiff", "bmp", "gif"];
 
-/// What a file holds that is to be opened.
+/// The content of a file that is to be opened.
 pub enum Content {
     /// A document.
     Document(Document),
@@ -23,7 +23,7 @@ pub enum Content {
     Drawing(Imported),
 }
 
-/// What a dropped file is.
+/// The kind of a dropped file.
 pub enum Dropped {
     /// To be opened.
     Document,
@@ -37,13 +37,13 @@ pub enum Dropped {
 
 /// A file that is being read.
 pub type Reading = Task<(PathBuf, Result<Content, String>)>;
-/// A pasted SVG that is being read: its document, and in words what was not read.
+/// A pasted SVG that is being read: its document, and a text about the parts that were not read.
 pub type ReadingSvg = Task<Result<(Document, String), String>>;
 /// A palette that is being read.
 pub type ReadingPalette = Task<Result<Palette, String>>;
-/// A picture that a layer is to follow is being read.
+/// A picture that is being read, for a layer to follow.
 pub type ReadingTone = Task<Result<ToneImage, String>>;
-/// Dropped files that are being looked at.
+/// Dropped files whose kind is being determined.
 pub type Inspecting = Task<Vec<(PathBuf, Dropped)>>;
 
 /// Reads a document, the document in a picture, or a drawing.
@@ -87,7 +87,7 @@ pub fn read_palette(path: &Path, tasks: &Tasks) -> Result<ReadingPalette, StartE
     })
 }
 
-/// Reads a picture that a layer is to follow.
+/// Reads a picture for a layer to follow.
 ///
 /// # Errors
 /// Where no thread can be started.
@@ -98,7 +98,7 @@ pub fn read_tone(path: &Path, tasks: &Tasks) -> Result<ReadingTone, StartError> 
     })
 }
 
-/// Finds out what dropped files are.
+/// Finds out the kinds of dropped files.
 ///
 /// # Errors
 /// Where no thread can be started.
@@ -138,8 +138,8 @@ fn kind(path: &Path) -> Dropped {
     found.unwrap_or_else(|error| Dropped::Unreadable(with_causes(&error)))
 }
 
-/// Whether a .json holds a palette rather than a document. One that calls itself a palette is one, also where it cannot
-/// be read: the error then says what is wrong with the palette.
+/// Whether a .json holds a palette rather than a document. A file that calls itself a palette counts as one even where
+/// it cannot be read, so that the error says what is wrong with the palette.
 fn is_palette(path: &Path) -> bool {
     let says_so = || read_to_string(path).is_ok_and(|text| text.contains("dapple palette"));
     Palette::read(path).is_ok() || Document::read(path).is_err_and(|_| says_so())

@@ -1,4 +1,4 @@
-//! Saves the document on a background thread. A save that has begun is finished, even if the window closes meanwhile.
+//! Saves the document on a background thread. A save that has started is finished, even if the window closes meanwhile.
 
 use std::path::{Path, PathBuf};
 
@@ -11,11 +11,11 @@ use crate::files::WriteFile;
 pub struct Saving {
     /// The file.
     pub path: PathBuf,
-    /// The document as it was edited when the save began; it may have empty layers, which the file has not.
+    /// The document as it was edited when the save started. It may have empty layers; the file has none.
     pub document: Document,
-    /// Whether the document shall be saved again afterwards, and where.
+    /// Where the document is to be saved again afterwards; `None` = it is not.
     pub again: Option<PathBuf>,
-    /// `None` once it was waited for.
+    /// The running save; `None` once its end was waited for.
     work: Option<Writing<Result<(), String>>>,
 }
 
@@ -40,7 +40,7 @@ impl Saving {
         outcome.map_or(Ok(()), |outcome| self.with_file(outcome))
     }
 
-    /// The outcome, its error with the file's name.
+    /// The outcome; an error is preceded by the file's name.
     fn with_file(&self, outcome: Result<Result<(), String>, &str>) -> Result<(), String> {
         outcome.unwrap_or_else(|why| Err(format!("{}: saving: {why}", self.path.display())))
     }
@@ -74,7 +74,7 @@ mod tests {
     }
 
     #[test]
-    fn it_is_saved_where_no_thread_starts_and_errors_are_reported() {
+    fn a_document_is_saved_where_no_thread_starts_and_errors_are_reported() {
         let folder = tempfile::tempdir().unwrap();
         let tasks = Tasks::default().with_spawn(Spawn(|_, _| Err(std::io::Error::other("none left"))));
         for tasks in [tasks, Tasks::default()] {

@@ -63,7 +63,7 @@ impl Selection {
         self.0.clear();
     }
 
-    /// The selected strokes after layers have changed their index; `None` = the layer is gone.
+    /// The selected strokes after the indices of layers have changed; `None` = the layer no longer exists.
     #[must_use]
     pub fn with_layers_moved(&self, new_index: impl Fn(usize) -> Option<usize>) -> Self {
         Self::new(self.places().filter_map(|place| Some(Place { layer: new_index(place.layer)?, ..place })))

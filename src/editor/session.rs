@@ -32,13 +32,14 @@ pub struct Session {
     history: History,
     /// The state after the last undo step.
     committed: Snapshot,
-    /// The document as the file holds it.
+    /// The document in the state in which the file holds it.
     saved: Document,
-    /// The spacing wanted far from the ellipses of each layer after the last undo step; `None` = not found yet.
+    /// The spacing that applies far from the ellipses of each layer, after the last undo step; `None` = not computed
+    /// yet.
     far_spacing: Option<Vec<Option<f64>>>,
     /// The mark of each stroke, by layer and stroke; freehand strokes are fitted, `None` where that failed.
     marks: Vec<Vec<Option<Mark>>>,
-    /// What areas grow on each layer.
+    /// The kind of area that each layer grows, if it grows areas.
     areas: Vec<Option<AreaKind>>,
     /// Number of changes so far.
     revision: u64,
@@ -51,7 +52,7 @@ impl Default for Session {
 }
 
 impl Session {
-    /// Opens a document that has no unsaved changes; `path` is its file, `None` for a new one.
+    /// Opens a document without unsaved changes; `path` is its file, `None` for a new document.
     #[must_use]
     pub fn open(document: Document, path: Option<PathBuf>) -> Self {
         let active_layer = document.layers.len().saturating_sub(1);
@@ -81,7 +82,7 @@ impl Session {
         self.document.layers.iter().all(Layer::is_blank)
     }
 
-    /// Opens a document that differs from its file; `saved` is what the file holds.
+    /// Opens a document that differs from its file; `saved` is the document in the file.
     #[must_use]
     pub fn open_unsaved(document: Document, saved: Document, path: Option<PathBuf>) -> Self {
         Self { saved, ..Self::open(document, path) }
@@ -121,8 +122,8 @@ impl Session {
         self.revision
     }
 
-    /// Changes the document. The next [`Self::commit`] makes the change an undo step. The spacing that was wanted far from all marks
-    /// goes with it, so that it can stay.
+    /// Changes the document. The next [`Self::commit`] makes the change an undo step. The spacing that applies far from
+    /// all marks is stored with it, so that it need not change.
     pub fn edit(&mut self, change: impl FnOnce(&mut Document)) {
         let before = self.document.clone();
         change(&mut self.document);
@@ -130,7 +131,7 @@ impl Session {
         self.changed_from(&before);
     }
 
-    /// Follows a change of the document, which was `before`.
+    /// Updates what depends on the document, after a change of the document `before`.
     fn changed_from(&mut self, before: &Document) {
         if self.document == *before {
             return;
@@ -237,13 +238,14 @@ impl Session {
         })
     }
 
-    /// What areas grow on a layer: as it says, or because its marks are too dense for spots.
+    /// The kind of area that a layer grows, if it does: because it says so, or because its marks are too dense for
+    /// spots.
     #[must_use]
     pub fn areas(&self, layer: usize) -> Option<AreaKind> {
         self.areas.get(layer).copied().flatten()
     }
 
-    /// The mark of each stroke, by layer and stroke; `None` of a stroke that is no mark.
+    /// The mark of each stroke, by layer and stroke; `None` for a stroke that is not a mark.
     #[must_use]
     pub fn fitted_marks(&self) -> &[Vec<Option<Mark>>] {
         &self.marks
@@ -255,7 +257,8 @@ impl Session {
         self.marks.get(layer).into_iter().flatten().flatten().cloned().collect()
     }
 
-    /// The marks of one layer as they are read for growing: on a tile those whose centre is beyond it come back at the other side.
+    /// The marks of one layer in the way in which they are read for growing: on a seamless canvas, marks whose centre
+    /// is outside appear at the other side.
     #[must_use]
     pub fn marks_on_tile(&self, layer: usize) -> Vec<Mark> {
         let canvas = Bounds { size: self.document.size.map(f64::from), edges: self.document.edges };
@@ -267,7 +270,7 @@ impl Session {
         self.selection.places().filter_map(|place| Some((place, self.mark(place)?)))
     }
 
-    /// The kind of marks in a layer, see [`Kind::of_layer`]; `None` where it is empty.
+    /// The kind of marks in a layer ([`Kind::of_layer`]); `None` where it is empty.
     #[must_use]
     pub fn kind(&self, layer: usize) -> Option<Kind> {
         Kind::of_layer(self.marks.get(layer)?.iter().flatten().map(Kind::from))
@@ -308,8 +311,8 @@ impl Session {
         self.selection.clear();
     }
 
-    /// The editable mark nearest to a point, at most `reach` px away; among equally near ones, one of the active layer
-    /// first, then the topmost.
+    /// The editable mark nearest to a point, at most `reach` px away. Of equally near marks, those of the active layer
+    /// come first, then the topmost one.
     #[must_use]
     pub fn hit(&self, point: [f64; 2], reach: f64) -> Option<Place> {
         let near = self.editable_marks().rev().map(|(place, mark)| (place, shape::distance(&mark, point)));
@@ -323,7 +326,7 @@ impl Session {
     }
 }
 
-/// What areas grow on each layer of `document`, whose strokes have been fitted.
+/// The kind of area that each layer of `document` grows, if it does. The strokes have been fitted.
 fn areas(document: &Document, marks: &[Vec<Option<Mark>>]) -> Vec<Option<AreaKind>> {
     marks.iter().enumerate().map(|(layer, marks)| document.areas_of(layer, marks)).collect()
 }

@@ -6,7 +6,8 @@ use crate::marks::{Ellipse, Line, Mark, Path, distance_to_segment};
 
 /// The smallest radius or width of a drawn mark, px.
 pub const SMALLEST: f64 = 0.5;
-/// What is moved over the border stops where so much of it is still on the canvas, px: it can be seen and taken back.
+/// A mark that is moved over the border stops where this length of it is still on the canvas, px, so that it can be
+/// seen and moved back.
 pub const SEEN: f64 = 1.0;
 
 /// The centre of a mark, px.
@@ -90,8 +91,8 @@ pub fn distance(mark: &Mark, point: [f64; 2]) -> f64 {
     }
 }
 
-/// The mark limited to a canvas of `size` px: some part of it on the canvas, no thicker than the canvas, and cut where it is farther away
-/// than a side of it. What of it is on the canvas stays where it is.
+/// The mark limited to a canvas of `size` px: some part of it is on the canvas, it is no thicker than the canvas, and
+/// it is cut where it is farther away than a side of the canvas. The part on the canvas stays in its place.
 #[must_use]
 pub fn bounded(mark: &Mark, size: [u32; 2]) -> Mark {
     let thickest = f64::from(size[0].max(size[1]));
@@ -112,7 +113,7 @@ pub fn bounded(mark: &Mark, size: [u32; 2]) -> Mark {
     brought_on(mark, size.map(f64::from)).cut(Range::around_canvas(size))
 }
 
-/// The mark moved towards the canvas, until some part of it is on the canvas.
+/// The mark, moved towards the canvas until some part of it is on the canvas.
 fn brought_on(mark: Mark, size: [f64; 2]) -> Mark {
     if mark.is_on(size) {
         return mark;
@@ -124,7 +125,7 @@ fn brought_on(mark: Mark, size: [f64; 2]) -> Mark {
     at((share + SEEN / way[0].hypot(way[1])).min(1.0))
 }
 
-/// The least share of a displacement, 0..1, from which on a condition holds that holds at its end.
+/// The least share of a displacement, 0..1, from which on a condition holds. It holds at the end of the displacement.
 pub fn least_share(holds: impl Fn(f64) -> bool) -> f64 {
     let (mut before, mut after) = (0.0, 1.0);
     for _ in 0..40 {
@@ -138,7 +139,7 @@ pub fn least_share(holds: impl Fn(f64) -> bool) -> f64 {
     after
 }
 
-/// The stroke without what of its outline is farther from the canvas than a document may hold.
+/// The stroke without the parts of its outline that are farther from the canvas than a document may hold.
 #[must_use]
 pub fn within_limits(stroke: Stroke, size: [u32; 2]) -> Stroke {
     let [low, high] = Range::around_canvas(size);
@@ -151,7 +152,7 @@ pub fn within_limits(stroke: Stroke, size: [u32; 2]) -> Stroke {
     }
 }
 
-/// The points of a path; where all are at one place, the last a little beside it.
+/// The points of a path. Where all are at one place, the last one is moved a little.
 fn extended(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     let first = points.first().copied().unwrap_or_default();
     let is_far = |point: &[f64; 2]| (0..2).any(|axis| (point[axis] - first[axis]).abs() >= MIN_LENGTH);
@@ -218,13 +219,13 @@ mod tests {
 
     const ELLIPSE: Mark = Mark::Ellipse(Ellipse { center: [50.0, 40.0], radii: [20.0, 10.0], angle: 90.0 });
 
-    /// Coordinates with all their digits, from 0 to some 600 px.
+    /// Coordinates with many digits, from 0 to about 600 px.
     fn digits(i: u32, k: u32) -> f64 {
         f64::from(i.wrapping_mul(2_654_435_761).rotate_left(k)) / 7e6
     }
 
     #[test]
-    fn what_is_partly_on_the_canvas_stays_where_it_is_and_what_is_not_comes_to_its_border() {
+    fn marks_partly_on_the_canvas_stay_and_others_are_moved_to_its_border() {
         let size = [512, 384];
         for i in 1..5_000_u32 {
             let point = |k: u32| [digits(i, k), digits(i, k + 5)];
@@ -251,7 +252,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mark_that_is_wholly_outside_comes_back_the_shortest_way() {
+    fn a_mark_that_is_wholly_outside_is_moved_back_by_the_shortest_way() {
         let beside = Mark::Ellipse(Ellipse { center: [140.0, 40.0], radii: [20.0, 10.0], angle: 0.0 });
         let Mark::Ellipse(back) = bounded(&beside, [100, 80]) else { panic!() };
         assert!((back.center[0] - 119.0).abs() < 1e-6 && back.center[1] == 40.0, "{back:?}");

@@ -1,4 +1,4 @@
-//! Snapping to a grid whose lines run through the left upper corner of the canvas.
+//! Snapping to a grid whose lines start at the upper left corner of the canvas.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,7 +8,7 @@ pub const STEPS: [f64; 2] = [2.0, 512.0];
 /// Whether what is drawn and moved snaps to a grid.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Snap {
-    /// Whether it does.
+    /// Whether snapping is on.
     pub on: bool,
     /// The distance of the lines, px.
     pub step: f64,
@@ -21,7 +21,7 @@ impl Default for Snap {
 }
 
 impl Snap {
-    /// The nearest crossing of the grid where it is on, else the point itself, px.
+    /// The nearest point of the grid where snapping is on, else the point itself, px.
     #[must_use]
     pub fn at(self, point: [f64; 2]) -> [f64; 2] {
         let step = self.step.clamp(STEPS[0], STEPS[1]);
@@ -38,7 +38,7 @@ mod tests {
         let snap = Snap { on: true, step: 20.0 };
         assert_eq!(snap.at([29.0, 31.0]), [20.0, 40.0]);
         assert_eq!(Snap { on: false, ..snap }.at([29.0, 31.0]), [29.0, 31.0]);
-        // A damaged setting does not divide by 0.
+        // A damaged setting must not cause a division by 0.
         assert_eq!(Snap { on: true, step: 0.0 }.at([29.2, 31.0]), [30.0, 32.0]);
     }
 }

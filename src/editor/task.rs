@@ -1,7 +1,7 @@
-//! Work on a thread of its own, as a value: it sends messages, reports progress, can be paused, and is cancelled when
-//! the value is dropped.
+//! Work on a separate thread, as a value: the work sends messages, reports progress, can be paused, and is cancelled
+//! when the value is dropped.
 //!
-//! A newer task replaces an older one by assignment: dropping the older one cancels it, and nothing it still sends is
+//! A newer task replaces an older one by assignment: dropping the older one cancels it, and its later messages are not
 //! received. [`Tasks`] starts tasks; a thread that cannot be started is an error of [`Tasks::start`].
 
 use std::fmt;
@@ -51,7 +51,7 @@ impl fmt::Debug for Tasks {
 }
 
 impl Default for Tasks {
-    /// Tasks whose messages wake nobody.
+    /// Tasks whose messages call no function.
     fn default() -> Self {
         Self::new(|| {})
     }
@@ -91,7 +91,7 @@ impl Tasks {
 #[derive(Default)]
 struct State {
     cancelled: AtomicBool,
-    /// The share that is done, as the bits of an `f64`.
+    /// The share of the work that is done, as the bits of an `f64`.
     progress: AtomicU64,
     paused: Mutex<bool>,
     changed: Condvar,
@@ -107,8 +107,8 @@ impl State {
     }
 }
 
-/// Work on a thread of its own, which sends messages of type `T`. Dropping it cancels the work and does not wait for
-/// its end.
+/// Work on a separate thread, which sends messages of type `T`. Dropping it cancels the work, without waiting for its
+/// end.
 pub struct Task<T> {
     state: Arc<State>,
     messages: Receiver<T>,
@@ -153,9 +153,9 @@ impl<T> Task<T> {
         self.state.changed.notify_all();
     }
 
-    /// Asks the work to end early. What it still sends is received.
+    /// Asks the work to end early. Messages that it sends after that are received.
     pub fn cancel(&self) {
-        // Under the lock, so that a worker cannot miss it between its check and its wait.
+        // Done under the lock, so that a worker cannot miss the cancellation between its check and its wait.
         let paused = self.state.paused();
         self.state.cancelled.store(true, Ordering::Release);
         drop(paused);
@@ -168,7 +168,7 @@ impl<T> Task<T> {
         self.state.is_cancelled()
     }
 
-    /// Cancels the work; the value waits for its end.
+    /// Cancels the work; the returned value can wait for its end.
     #[must_use]
     pub fn into_ending(mut self) -> Ending {
         self.cancel();
@@ -178,7 +178,7 @@ impl<T> Task<T> {
     /// Waits for the end of the work; its messages can be received afterwards.
     pub fn wait(&mut self) {
         if let Some(thread) = self.thread.take() {
-            // A panic has closed the channel: the receiver knows that no result came.
+            // A panic has closed the channel, so the receiver knows that there is no result.
             drop(thread.join());
         }
     }
@@ -211,7 +211,7 @@ impl Ending {
 /// The thread's side of a task.
 pub struct Worker<T> {
     state: Arc<State>,
-    /// `Some` until it is dropped.
+    /// The sender; `None` once it is dropped.
     send: Option<Sender<T>>,
     wake: Arc<dyn Fn() + Send + Sync>,
 }
@@ -223,10 +223,10 @@ impl<T> Worker<T> {
         (self.wake)();
     }
 
-    /// Sends a message that [`Self::send`] soon follows with another: wakes nobody.
+    /// Sends a message that [`Self::send`] will follow soon; the receiver is not woken.
     pub fn send_ahead(&self, message: T) {
         if let Some(send) = &self.send {
-            // An error means that the task was dropped: nobody wants the message.
+            // An error means that the task was dropped, so that nobody needs the message.
             drop(send.send(message));
         }
     }
@@ -248,7 +248,7 @@ impl<T> Worker<T> {
         drop(self.state.changed.wait_while(paused, |paused| *paused && !self.is_cancelled()));
     }
 
-    /// Waits until `until`, less when the task is cancelled.
+    /// Waits until the time `until`, or until the task is cancelled.
     pub fn sleep_until(&self, until: Instant) {
         let mut paused = self.state.paused();
         loop {
@@ -263,7 +263,7 @@ impl<T> Worker<T> {
 }
 
 impl<T> Drop for Worker<T> {
-    /// Also where the work panics: the receiver is woken and finds the task ended.
+    /// Runs also where the work panics: the receiver is woken and finds that the task has ended.
     fn drop(&mut self) {
         self.send = None;
         (self.wake)();
@@ -302,7 +302,7 @@ mod tests {
     }
 
     #[test]
-    fn a_message_sent_ahead_comes_with_the_next_and_wakes_nobody() {
+    fn a_message_sent_ahead_arrives_with_the_next_one_and_does_not_wake_the_receiver() {
         let woken = Arc::new(AtomicU64::new(0));
         let count = Arc::clone(&woken);
         let tasks = Tasks::new(move || {
@@ -313,7 +313,7 @@ mod tests {
             worker.send(1);
         });
         assert_eq!(task.unwrap().join(), [0, 1]);
-        // By the message and by the end.
+        // Once by the message and once by the end.
         assert_eq!(woken.load(Ordering::Acquire), 2);
     }
 
@@ -329,9 +329,9 @@ mod tests {
     }
 
     #[test]
-    fn a_task_that_is_joined_is_not_cancelled_and_loses_no_message() {
+    fn a_task_that_is_joined_is_not_cancelled_and_all_its_messages_arrive() {
         let task = Tasks::default().start("saving", |worker| {
-            // Less where it is cancelled.
+            // It would wait less if it were cancelled.
             worker.sleep_until(Instant::now() + Duration::from_millis(20));
             worker.send(worker.is_cancelled());
         });
@@ -387,7 +387,7 @@ mod tests {
     }
 
     #[test]
-    fn a_thread_that_does_not_start_is_an_error_that_says_what_it_was_for() {
+    fn a_thread_that_does_not_start_is_an_error_that_names_the_task() {
         let started = Tasks::default().with_spawn(Spawn(no_thread)).start("growth", |_: &Worker<()>| {});
         let said = started.err().unwrap().to_string();
         assert!(said.contains("growth") && said.contains("none left"), "{said}");

@@ -1,4 +1,4 @@
-//! Attributes of several marks as numbers, and the marks that follow when another number is typed.
+//! Attributes of several marks as numbers, and the changed marks when another number is typed.
 
 use crate::editor::selection::Place;
 use crate::editor::shape;
@@ -15,7 +15,7 @@ pub fn ellipses(marks: &Placed) -> impl Iterator<Item = (Place, Ellipse)> + '_ {
     marks.iter().filter_map(|(place, mark)| Some((*place, mark.ellipse()?)))
 }
 
-/// The mean of a number of the ellipses; `None` where there are none.
+/// The mean of a property of the ellipses; `None` where there are no ellipses.
 fn mean(marks: &Placed, of: impl Fn(&Ellipse) -> f64) -> Option<f64> {
     let values: Vec<f64> = ellipses(marks).map(|(_, ellipse)| of(&ellipse)).collect();
     (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
@@ -52,7 +52,7 @@ pub fn ellipse_with_aspect(ellipse: &Ellipse, aspect: f64) -> Ellipse {
     Ellipse::from_area(ellipse.center, ellipse.area(), aspect, ellipse.major_angle())
 }
 
-/// The ellipses with this aspect and the areas that they have.
+/// The ellipses with this aspect, and with unchanged areas.
 #[must_use]
 pub fn with_aspect(marks: &Placed, aspect: f64) -> Vec<(Place, Mark)> {
     let changed = |(place, one): (Place, Ellipse)| (place, Mark::Ellipse(ellipse_with_aspect(&one, aspect)));
@@ -92,8 +92,8 @@ pub fn with_direction(marks: &Placed, angle: f64) -> Vec<(Place, Mark)> {
     marks.iter().map(|(place, mark)| (*place, shape::turned(mark, by, shape::center(mark)))).collect()
 }
 
-/// The mean distance of the ellipses to their nearest, from centre to centre, px; `None` of fewer than two, or where all are at
-/// one place.
+/// The mean distance of each ellipse to its nearest neighbour, from centre to centre, px; `None` for fewer than two
+/// ellipses, or where all are at one place.
 #[must_use]
 pub fn spacing(marks: &Placed) -> Option<f64> {
     let centers: Vec<[f64; 2]> = ellipses(marks).map(|(_, ellipse)| ellipse.center).collect();
@@ -152,8 +152,8 @@ pub fn with_width(marks: &Placed, width: f64) -> Vec<(Place, Mark)> {
 /// Lines and the distance of each centre across their direction, px.
 type Across = Vec<(Place, Mark, f64)>;
 
-/// The lines across their mean direction: the unit vector across it, and the distance of each centre along it, px. `None` of
-/// fewer than two lines, and where they are not side by side.
+/// The lines across their mean direction: the unit vector across that direction, and the position of each centre along
+/// this vector, px. `None` for fewer than two lines, and where they are not side by side.
 fn across(marks: &Placed) -> Option<([f64; 2], Across)> {
     let lines: Vec<(Place, Mark)> =
         marks.iter().filter(|(_, mark)| width_of(mark).is_some()).cloned().collect();
@@ -170,12 +170,12 @@ fn across(marks: &Placed) -> Option<([f64; 2], Across)> {
     Some((normal, lines.into_iter().map(|(place, mark)| (place, mark.clone(), at(&mark))).collect()))
 }
 
-/// The mean distance of lines side by side, from the middle of one to the middle of the next, px; `None` of fewer than two such
-/// lines.
+/// The mean distance of lines side by side, from the middle of one to the middle of the next, px; `None` for fewer than
+/// two such lines.
 #[must_use]
 pub fn period(marks: &Placed) -> Option<f64> {
     let (_, lines) = across(marks)?;
-    // Pieces of one stripe, one behind the other, are no neighbours.
+    // Pieces of one stripe that lie one behind the other are not neighbours.
     let same = 0.5 * width(marks)?;
     let mut offsets: Vec<f64> = lines.iter().map(|(_, _, at)| *at).collect();
     offsets.sort_by(f64::total_cmp);
@@ -264,7 +264,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_that_make_no_sense_change_nothing() {
+    fn invalid_numbers_change_nothing() {
         assert!(with_area(&spots(), -1.0).is_empty() && with_spacing(&spots(), 0.0).is_empty());
         assert!(with_area(&lines(), 100.0).is_empty() && with_period(&spots(), 10.0).is_empty());
         assert!(direction(&[]).is_none() && spacing(&[]).is_none() && period(&[]).is_none());

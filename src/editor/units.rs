@@ -1,4 +1,4 @@
-//! Units of length for the user: px, or mm by the document's dots an inch. Documents hold px.
+//! Units of length for the user: px, or mm by the document's dots per inch. Documents hold px.
 
 use serde::{Deserialize, Serialize};
 
@@ -20,15 +20,15 @@ pub enum Units {
 pub struct Ruler {
     /// The unit.
     pub units: Units,
-    /// Dots an inch, > 0.
+    /// Dots per inch, > 0.
     pub dpi: f64,
 }
 
-/// Millimetres an inch.
+/// Millimetres per inch.
 const INCH: f64 = 25.4;
 
 impl Ruler {
-    /// Units a px.
+    /// Units per px.
     #[must_use]
     pub fn per_px(self) -> f64 {
         match self.units {
@@ -104,8 +104,9 @@ impl Ruler {
         }
     }
 
-    /// Computes a length or an area that was typed, such as `3 mm`, `0.3cm + 2` or `20*1.5`. A number alone is in the user's
-    /// unit; others are named. `factor` is the number of the user's units a px or px². `None` where the text is neither.
+    /// Computes a length or an area that was typed, such as `3 mm`, `0.3cm + 2` or `20*1.5`. A number without a unit is
+    /// in the user's unit. `factor` is the number of the user's units per px or px². `None` where the text is not such
+    /// a length or area.
     #[must_use]
     pub fn parse(self, text: &str, factor: f64) -> Option<f64> {
         evaluate(text, &|number, unit| {
@@ -129,7 +130,7 @@ impl Ruler {
 
 /// Decimals that show steps of `step`.
 pub(crate) fn digits(step: f64) -> usize {
-    // A third of a digit less would hide a step, one more would show digits that mean nothing.
+    // A third of a digit less would hide a step; one digit more would be meaningless.
     libm::ceil(-libm::log10(step) - 0.3).clamp(0.0, 6.0) as usize
 }
 

@@ -1,4 +1,5 @@
-//! Work on files that is finished even if the window closes meanwhile: dropping it waits for its end.
+//! Work on files that is finished even if the window closes meanwhile: dropping the value waits for the end of the
+//! work.
 
 use std::sync::Arc;
 
@@ -6,24 +7,24 @@ use super::task::{Task, Tasks, Worker};
 use crate::machine::sync::{Mutex, PoisonError};
 use crate::machine::threads::BEGINS_WHILE_WAITED_FOR;
 
-/// The message where the work ended without an outcome.
+/// The message where the work ended without a result.
 const FAILED: &str = "an error in dapple; please report it";
 
 /// Work that writes, renames or deletes files. Dropping it waits for its end.
 pub struct Writing<T> {
     task: Option<Task<T>>,
-    /// Does the work on the calling thread, unless it was begun.
+    /// Does the work on the calling thread, unless a thread has started it.
     begin: Box<dyn Fn() -> Option<T> + Send>,
-    /// The outcome where no thread has done it.
+    /// The outcome where the calling thread has done the work.
     outcome: Option<T>,
 }
 
 impl<T: Send + 'static> Writing<T> {
-    /// Does `work` on a thread of its own. Without a thread it is done before this returns: the window waits, and
-    /// nothing is lost.
+    /// Does `work` on a separate thread. Where no thread can be started, the work is done before this returns: the
+    /// window blocks, and nothing is lost.
     #[must_use]
     pub fn start(tasks: &Tasks, name: &'static str, work: impl FnOnce() -> T + Send + 'static) -> Self {
-        // The system's error does not give back what it was to run.
+        // The system's error does not return the closure that it was to run.
         let work = Arc::new(Mutex::new(Some(work)));
         let take = |work: &Mutex<Option<_>>| work.lock().unwrap_or_else(PoisonError::into_inner).take();
         let shared = Arc::clone(&work);
@@ -87,7 +88,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_dropped_at_once_is_finished_with_a_thread_and_without() {
+    fn work_that_is_dropped_at_once_is_finished_with_a_thread_and_without() {
         let folder = tempfile::tempdir().unwrap();
         for (tasks, name) in both().iter().zip(["a", "b"]) {
             let file = folder.path().join(name);

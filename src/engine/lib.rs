@@ -3,19 +3,19 @@
 //! ```text
 //!  hand ──▶ sketch ──┐
 //!                    ├─▶ Marks ─▶ Attributes ─▶ learn ─▶ Parameters ─▶ rd | points ─▶ Field ─▶ colour ─▶ Image ─▶ export
-//!  photo ─▶ measure ─┘   └─────────────────── synth holds this thread, layer by layer ────────────────────┘
+//!  photo ─▶ measure ─┘   └──────────────────── synth runs these steps for each layer ─────────────────────┘
 //! ```
 //!
-//! The modules below stand in the order in which data meets them. The map at the head of the package `dapple` says which of
-//! them may know which.
+//! The modules below are listed in the order in which data passes through them. The table in the documentation of the package
+//! `dapple` lists the allowed dependencies between them.
 //!
-//! It asks for nothing: reading takes bytes and a name, writing goes to any writer, and the caller tells how much memory may be
-//! used, what time it is, and where work is done that cannot be interrupted.
+//! The engine does not access the operating system: readers take bytes and a name, writers take any stream, and the caller
+//! provides the amount of free memory, the time, and a function that runs work that cannot be interrupted.
 
 // Ground.
 pub mod grid;
 pub mod surface;
-// (surface: triangles to grow on, a domain as the grid is)
+// (surface: triangles on which patterns grow, a domain like the grid)
 pub mod marks;
 // (marks before attributes: attributes are numbers about marks)
 pub mod attributes;
@@ -31,6 +31,6 @@ pub mod sketch;
 
 // Thread.
 pub mod photo;
-// (photo: it reads pictures with measure and colour, and makes what a document holds)
+// (photo: reads pictures with measure and colour, and makes the parts of documents)
 pub mod document;
 pub mod synth;

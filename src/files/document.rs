@@ -13,7 +13,7 @@ use crate::document::{Document, DocumentError, Extent, limits};
 use crate::export::Format;
 use crate::machine::fs;
 
-/// What is read from a file.
+/// Types that can be read from a file.
 pub trait ReadFile: Sized {
     /// Why it cannot be read.
     type Error;
@@ -25,7 +25,7 @@ pub trait ReadFile: Sized {
     fn read(path: impl AsRef<Path>) -> Result<Self, Self::Error>;
 }
 
-/// What is written to a file.
+/// Types that can be written to a file.
 pub trait WriteFile {
     /// Why it cannot be written.
     type Error;
@@ -66,13 +66,13 @@ impl WriteFile for Document {
     }
 }
 
-/// The link that stands in place of a path.
+/// The link, where one is given in place of a path.
 #[must_use]
 pub fn as_link(path: &Path) -> Option<&str> {
     path.to_str().filter(|text| is_link(text))
 }
 
-/// What messages call the document of a path.
+/// The name of a document in messages, for the path from which it is read.
 #[must_use]
 pub fn source(path: &Path) -> String {
     as_link(path).map_or_else(|| path.display().to_string(), |_| "the link".to_owned())
@@ -114,7 +114,7 @@ impl WriteFile for Palette {
 /// Reads a document, or a PNG that holds one: the same picture grows from what is returned.
 ///
 /// # Errors
-/// As reading a document; and a picture without a document, or a damaged one.
+/// The errors of reading a document; a picture that holds no document, or a damaged one.
 pub fn open(path: impl AsRef<Path>) -> Result<(Document, Extent), DocumentError> {
     let path = path.as_ref();
     if let Some(found) = in_picture(path)? {

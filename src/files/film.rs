@@ -1,4 +1,5 @@
-//! Films in files: of a growth, or of one document that becomes another; a file, or a folder of `frame-0001.png`, …
+//! Writes films to files: of a growth, or of the change of one document into another. A film is a file, or a folder of
+//! `frame-0001.png`, …
 
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -41,7 +42,7 @@ pub enum PreparedFilm {
     File(Prepared),
     /// In a folder.
     Folder {
-        /// The temporary folder.
+        /// The temporary folder, beside the final path.
         beside: TempDir,
         /// Its final path.
         target: PathBuf,
@@ -201,7 +202,7 @@ fn keep_folder(beside: TempDir, target: &Path) -> Result<(), ExportError> {
         fs::rename(beside.path(), target)
     })
     .map_err(|source| explain(target, &folder_of(target), source))?;
-    // It has been moved: nothing is left to delete.
+    // The folder has been moved, so there is nothing to delete.
     let _ = beside.keep();
     Ok(())
 }

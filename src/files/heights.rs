@@ -8,7 +8,8 @@ use crate::document::{Document, ParametricSurface};
 use crate::machine::fs::File;
 use crate::photo::{decode_stored, heights};
 
-/// Reads the heights that a document in the file `document` names. Where that fails the document keeps the reason, which is told when it is grown.
+/// Reads the heights that a document in the file `document` names. Where that fails, the document keeps the reason,
+/// which is reported when the document is grown.
 pub fn read_heights(document: &mut Document, file: &Path) {
     let Some(ParametricSurface::Heights(relief)) = &mut document.parametric else { return };
     let path = file.parent().unwrap_or(Path::new("")).join(&relief.path);
@@ -16,14 +17,14 @@ pub fn read_heights(document: &mut Document, file: &Path) {
     relief.heights = (|| {
         let opened = File::open(&path).map_err(|error| format!("{shown}, which cannot be read ({error})"))?;
         let decoded = decode_stored(&mut BufReader::new(opened))
-            .map_err(|error| format!("{shown}, which is no picture that can be read ({error})"))?;
+            .map_err(|error| format!("{shown}, which cannot be read as a picture ({error})"))?;
         if let Some(note) = decoded.notes.first() {
             return Err(format!(
-                "{shown}, whose heights are not kept as they are stored ({note}): save it as gray of 16 bits"
+                "{shown}, whose heights would be changed by reading it ({note}): save it as 16-bit gray"
             ));
         }
         let found =
-            heights(&decoded).ok_or_else(|| format!("{shown}, which has heights that are no numbers"))?;
+            heights(&decoded).ok_or_else(|| format!("{shown}, some of whose heights are not numbers"))?;
         Ok(Arc::new(found))
     })();
 }

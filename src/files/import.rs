@@ -24,7 +24,7 @@ pub fn is_svg(path: &Path) -> io::Result<bool> {
     Ok(svg::begins_a_drawing(&beginning(path, svg::START)?))
 }
 
-/// Reads the SVG `path` as a document with `dpi` px an inch (`None` = as many as it says), named like the file.
+/// Reads the SVG `path` as a document with `dpi` px per inch (`None` = the number in the file), named like the file.
 ///
 /// # Errors
 /// [`ImportError`].
@@ -39,7 +39,7 @@ pub fn import_svg(path: &Path, dpi: Option<f64>) -> Result<Imported, ImportError
     Ok(imported)
 }
 
-/// The first bytes of a file, at most so many.
+/// The first bytes of a file, at most `most`.
 fn beginning(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     input(path)?.take(most).read_to_end(&mut bytes)?;
@@ -53,7 +53,7 @@ fn stream(path: &Path) -> Result<Input, MeasureError> {
     input(path).map_err(unreadable)
 }
 
-/// Makes a document of the photograph `path`, named like the file.
+/// Makes a document from the photograph `path`, named like the file.
 ///
 /// # Errors
 /// [`PhotoImportError`].
@@ -89,8 +89,8 @@ pub fn open_picture(path: &Path) -> Result<OpenedPicture, MeasureError> {
     measured_picture::open_stream(stream(path)?, path, Some(free_memory()))
 }
 
-/// Reads a picture (JPEG, PNG, WebP, TIFF, BMP, GIF), turned as its EXIF data say, as the image of a tone: gray, and of at most
-/// [`limits::TONE_SIDE`] px a side.
+/// Reads a picture (JPEG, PNG, WebP, TIFF, BMP, GIF), turned as its EXIF data say, as the image of a tone: gray, and at
+/// most [`limits::TONE_SIDE`] px along each side.
 ///
 /// # Errors
 /// It cannot be read as a picture, or does not fit into memory.

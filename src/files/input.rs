@@ -1,4 +1,4 @@
-//! What is read: files, standard input, and pipes, which can be read only once.
+//! Opens inputs: files, standard input, and pipes, which can be read only once.
 
 use std::collections::BTreeMap;
 use std::io::{self, BufRead, BufReader, Cursor, Read, Seek, SeekFrom};
@@ -7,14 +7,14 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::machine::fs::{self, File};
 
-/// What came through pipes, by their paths: a command may look into an input more than once.
+/// The bytes that were read from pipes, by path, because a command may read an input more than once.
 static RECEIVED: Mutex<BTreeMap<PathBuf, Arc<[u8]>>> = Mutex::new(BTreeMap::new());
-/// Most bytes that are taken from a pipe: 1 GB. Devices never end.
+/// The most bytes that are read from a pipe: 1 GB. Some devices never end.
 const MOST: u64 = 1 << 30;
-/// What stands for standard input and output in place of a path.
+/// The path that stands for standard input and output.
 const STANDARD: &str = "-";
 
-/// A file, or what came through a pipe.
+/// A file, or the bytes that were read from a pipe.
 #[derive(Debug)]
 pub enum Input {
     /// A file.
@@ -56,7 +56,7 @@ fn is_standard_input(path: &Path) -> bool {
     path == Path::new(STANDARD) || path == Path::new("/dev/stdin") && is_pipe(path)
 }
 
-/// Whether what stands at a path can be read only once: standard input, a pipe, a device.
+/// Whether the file at a path can be read only once: standard input, a pipe, a device.
 #[must_use]
 pub fn is_pipe(path: &Path) -> bool {
     let once = |there: fs::Metadata| !there.is_file() && !there.is_dir();

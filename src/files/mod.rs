@@ -1,4 +1,4 @@
-//! Files: reading and writing what the engine takes as bytes and gives to any writer.
+//! Files: the engine reads bytes and writes to any writer; this module reads and writes the files.
 //!
 //! [`save()`] writes a stream into a temporary file beside the target and renames it at the end, so an error or a cancelled run
 //! leaves nothing incomplete and keeps the file that was there before. [`ReadFile`], [`WriteFile`], [`SaveTexture`],

@@ -11,9 +11,9 @@ use crate::document::{Body, BodySource, DocumentError, Problem, limits};
 /// The file of a model.
 #[derive(Clone, Debug)]
 pub struct ModelFile {
-    /// What it holds.
+    /// The bytes of the file.
     pub bytes: Vec<u8>,
-    /// Whether it holds something else than when the document was made.
+    /// Whether the file has changed since the document was made.
     pub is_changed: bool,
 }
 
@@ -21,7 +21,8 @@ pub struct ModelFile {
 /// read in place of the one that the document names.
 ///
 /// # Errors
-/// The file is not there, cannot be read, or is too large: the place in the document, what was found, what is allowed.
+/// The file does not exist, cannot be read, or is too large. The error names the place in the document, what was found,
+/// and what is allowed.
 pub fn read_model(
     document: &Path,
     body: &Body,
@@ -73,7 +74,7 @@ mod tests {
     }
 
     #[test]
-    fn a_model_that_is_not_there_is_asked_for_and_another_may_be_named() {
+    fn a_missing_model_is_an_error_and_another_file_can_be_named() {
         let folder = tempfile::tempdir().unwrap();
         let document = folder.path().join("b.dapple");
         let error = read_model(&document, &of_file(None), None).unwrap_err().to_string();

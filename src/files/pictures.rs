@@ -85,8 +85,8 @@ impl SavePicture for Painting<'_> {
     }
 }
 
-/// Writes the concentrations of `grown` (grown with [`crate::synth::Options::concentrations`]) at `size` px to a temporary file, as
-/// [`painting::concentrations`] says.
+/// Writes the concentrations of `grown` (grown with [`crate::synth::Options::concentrations`]) at `size` px to a
+/// temporary file, in the form of [`painting::concentrations`].
 ///
 /// # Errors
 /// The file cannot be written; or it was cancelled.

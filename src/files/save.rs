@@ -1,4 +1,4 @@
-//! Writing files completely or not at all.
+//! Writes files completely or not at all.
 
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -10,9 +10,10 @@ use crate::export::{Content, ExportError, Format, Stopped, has_ending};
 use crate::machine::fs::{self, File};
 use crate::machine::temporary::NamedTempFile;
 
-/// Checks, before the work is done, whether a picture with this `content` can be written to `path`: the ending (upper or lower case),
-/// the folder, and what exists at the path. Permissions and disk space are seen only by [`save()`]. Returns the format.
-/// `-` stands for standard output: what is complete is copied there from a temporary file.
+/// Checks, before the work is done, whether a picture with this `content` can be written to `path`: the ending (upper
+/// or lower case), the folder, and what exists at the path. Missing permissions and a full disk are noticed only by
+/// [`save()`]. Returns the format. `-` stands for standard output: the complete file is copied there from a temporary
+/// file.
 ///
 /// # Errors
 /// The problem with the path, and the remedy.
@@ -76,7 +77,7 @@ pub struct Prepared {
     beside: NamedTempFile,
 }
 
-/// Writes a file under a temporary name, see [`save()`]. If several files are prepared before the first is
+/// Writes a file under a temporary name, in the way of [`save()`]. If several files are prepared before the first is
 /// [kept](Prepared::keep), either all of them are written or none.
 ///
 /// # Errors
@@ -134,7 +135,7 @@ impl Unfinished {
         Ok(Prepared { path, target, beside })
     }
 
-    /// Deletes the file; the error with the file's name and the remedy.
+    /// Deletes the file; returns the error with the file's name and the remedy.
     #[must_use]
     pub fn stopped(self, why: Stopped) -> ExportError {
         let Self { path, folder, stream, .. } = self;
@@ -187,10 +188,8 @@ impl Prepared {
     }
 }
 
-/// Renames files that belong together to their final names, all of them even where the process is told to end.
-///
-/// # Errors
-/// The first problem, with the file's name and the remedy.
+/// Renames files that belong together to their final names. All of them are renamed, even where the process is told to
+/// end.
 pub fn keep_all(files: Vec<Prepared>) -> Result<(), ExportError> {
     naming(|| files.into_iter().try_for_each(Prepared::renamed))
 }

@@ -1,7 +1,8 @@
 //! Removal of incomplete files that killed processes left behind.
 //!
-//! A process keeps its temporary file locked until the file is renamed; the system releases the lock when the process ends.
-//! So an unlocked temporary file of ours is stale, on every file system with locks, and files in use are not touched.
+//! A process keeps its temporary file locked until the file is renamed; the system releases the lock when the process
+//! ends. So on every file system with locks, a temporary file of dapple without a lock is stale. Files in use are not
+//! touched.
 
 use std::collections::BTreeSet;
 use std::io;
@@ -27,7 +28,7 @@ pub fn new_file(folder: &Path) -> io::Result<NamedTempFile> {
     }
 }
 
-/// A new folder, as [`new_file`], with its lock if the system can lock folders.
+/// A new locked folder, made like [`new_file`] makes a file; without a lock where the system cannot lock folders.
 pub fn new_folder(parent: &Path) -> io::Result<(TempDir, Option<File>)> {
     remove_stale_once(parent);
     loop {
@@ -80,7 +81,7 @@ fn remove_stale(folder: &Path) {
 
 fn remove_if_stale(entry: &DirEntry) -> io::Result<()> {
     let (kind, path) = (entry.file_type()?, entry.path());
-    // The target of a link is not ours.
+    // The target of a link does not belong to dapple.
     if kind.is_file() {
         let file = OpenOptions::new().write(true).open(&path)?;
         file.try_lock()?;
@@ -96,7 +97,7 @@ fn remove_if_stale(entry: &DirEntry) -> io::Result<()> {
         let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
         name.starts_with("frame-") && name.ends_with(".png") && !fs::is_dir(path)
     };
-    // A folder with any other file is kept: somebody put that file there.
+    // A folder that holds any other file is kept: a user put that file there.
     if frames.iter().all(is_frame) {
         frames.iter().try_for_each(fs::remove_file)?;
         fs::remove_dir(&path)?;
@@ -136,7 +137,7 @@ mod tests {
         remove_stale(folder.path());
         assert!(begun.path().exists() && film.0.path().exists());
         let (path, beside) = (begun.path().to_owned(), film.0.path().to_owned());
-        // As after a kill: the files exist, and their locks are free.
+        // The state after a kill: the files exist, and their locks are free.
         let _ = (begun.keep().unwrap(), film.0.keep());
         drop(film.1);
         remove_stale(folder.path());

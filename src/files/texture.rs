@@ -1,4 +1,4 @@
-//! From a growth to a file in one call.
+//! Writes a texture to a file in one call.
 
 use std::path::Path;
 
@@ -11,7 +11,7 @@ use crate::synth::{Grown, Watch};
 
 /// Textures in files.
 pub trait SaveTexture {
-    /// Writes the texture to a file, or leaves what was there: never half of it.
+    /// Writes the complete texture to a file; if that fails, an older file of this name is kept.
     ///
     /// The ending of `path` says what is written: a picture (`.png`, `.tif`, `.exr`, `.jpg`, `.webp`) of the canvas' size,
     /// or outlines of the marks (`.svg`, `.dxf`) in mm by the document's dpi. A PNG holds the document, so that dapple
@@ -23,11 +23,11 @@ pub trait SaveTexture {
         self.save_scaled(path, 1)
     }
 
-    /// Writes the texture with `scale` times the px along each side: the same texture, finer. A scale outside of 1 to 64 is taken
-    /// as the nearest of these.
+    /// Writes the texture with `scale` times the px along each side: the texture is the same, but finer. A scale
+    /// outside 1 to 64 is limited to that range.
     ///
     /// # Errors
-    /// As [`SaveTexture::save`].
+    /// Those of [`SaveTexture::save`].
     fn save_scaled(&self, path: impl AsRef<Path>, scale: u32) -> Result<(), ExportError>;
 }
 

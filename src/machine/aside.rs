@@ -1,4 +1,4 @@
-//! Work that cannot be interrupted, on a thread of its own.
+//! Runs work that cannot be interrupted on a separate thread.
 
 use std::io;
 use std::sync::mpsc::{self, RecvTimeoutError};
@@ -9,18 +9,18 @@ use crate::export::web::Work;
 
 use super::threads;
 
-/// How often it is asked whether to go on.
+/// The time between two checks whether to continue.
 const ASKED: Duration = Duration::from_millis(50);
 
-/// Does `work` on a thread of its own, and asks meanwhile whether to go on. Where it does not, nobody waits for the work, whose
-/// thread then ends by itself.
+/// Does `work` on a separate thread, and asks `goes_on` meanwhile whether to continue. If not, this returns without
+/// waiting; the thread ends by itself when the work is done.
 ///
 /// # Errors
-/// Those of the work and of the answer; or no thread can be started.
+/// The errors of the work and of `goes_on`; or no thread can be started.
 pub fn aside(work: Work, goes_on: &mut dyn FnMut() -> Result<(), Stopped>) -> Result<Vec<u8>, Stopped> {
     let (done, finished) = mpsc::channel();
     threads::start("encoding a WebP", move || {
-        // Where it was cancelled, nobody listens.
+        // Where the work was cancelled, nobody receives the result.
         let _ = done.send(work());
     })?;
     loop {
@@ -40,7 +40,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn work_that_goes_on_gives_its_result() {
+    fn work_that_is_not_cancelled_gives_its_result() {
         assert_eq!(aside(Box::new(|| Ok(vec![7])), &mut || Ok(())).unwrap(), [7]);
         let failed = aside(Box::new(|| Err(io::Error::other("no"))), &mut || Ok(()));
         assert!(matches!(failed, Err(Stopped::Io(error)) if error.to_string() == "no"));
@@ -52,7 +52,7 @@ mod tests {
     fn work_that_is_cancelled_is_not_waited_for() {
         let (end, ended) = mpsc::channel::<()>();
         let work: Work = Box::new(move || {
-            // Until the test is over.
+            // This lasts until the test has ended.
             let _ = ended.recv();
             Ok(Vec::new())
         });

@@ -12,7 +12,8 @@ pub fn elapsed() -> Duration {
     FIRST.get_or_init(Instant::now).elapsed()
 }
 
-/// CPU time of this thread since its start; where the system does not tell, the time on the clock since the first call.
+/// CPU time of this thread since its start. Where the system does not report it, the time on the clock since the first
+/// call.
 #[cfg(unix)]
 #[must_use]
 pub fn cpu_time() -> Duration {
@@ -20,7 +21,8 @@ pub fn cpu_time() -> Duration {
     Duration::new(u64::try_from(time.tv_sec).unwrap_or(0), u32::try_from(time.tv_nsec).unwrap_or(0))
 }
 
-/// CPU time of this thread since its start; where the system does not tell, the time on the clock since the first call.
+/// CPU time of this thread since its start. Where the system does not report it, the time on the clock since the first
+/// call.
 #[cfg(not(unix))]
 #[must_use]
 pub fn cpu_time() -> Duration {

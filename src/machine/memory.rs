@@ -1,14 +1,15 @@
-//! The memory that is free.
+//! The amount of free memory.
 
 use sysinfo::{MemoryRefreshKind, ProcessRefreshKind, ProcessesToUpdate, RefreshKind};
 
-/// Bytes of memory that this process can still have: what is free on the machine, or what its own limits leave.
+/// Bytes of memory that this process can still get: the free memory of the machine, or what the limits of the process
+/// leave.
 #[must_use]
 pub fn free_memory() -> f64 {
     own_limit().map_or_else(of_machine, |left| left.min(of_machine()))
 }
 
-/// Address space that each thread reserves beside what it uses: its stack, and a heap of its own.
+/// Address space that each thread reserves in addition to what it uses, bytes: its stack, and its own heap.
 #[cfg(unix)]
 const A_THREAD: f64 = 72e6;
 
@@ -45,7 +46,7 @@ fn of_group() -> Option<f64> {
 
 /// Bytes of memory that are free on this machine, or in the control group of this process.
 fn of_machine() -> f64 {
-    /// What is assumed where the system does not say.
+    /// The value that is assumed where the system does not report it.
     const ASSUMED: f64 = 8e9;
     let memory = RefreshKind::nothing().with_memory(MemoryRefreshKind::nothing().with_ram());
     let machine = sysinfo::System::new_with_specifics(memory);
@@ -59,7 +60,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_machine_that_runs_this_has_memory() {
+    fn the_machine_that_runs_this_test_has_free_memory() {
         assert!((1e6..1e14).contains(&free_memory()), "{}", free_memory());
     }
 }

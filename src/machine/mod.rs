@@ -1,7 +1,7 @@
 //! The machine that the program runs on: its memory, clocks and threads.
 //!
-//! The engine asks for none of these; it is told. A browser has neither files nor threads of this kind: there `browser` stands
-//! for them, with the same names.
+//! The engine does not ask the system for any of these; the caller passes them to it. A browser has neither files nor
+//! threads of this kind: there the module `browser` replaces them, with the same names.
 
 pub mod aside;
 pub mod clock;
@@ -27,7 +27,7 @@ pub use threads::process;
 
 use crate::synth::Machine;
 
-/// What the engine is told of this machine: the memory that is free now, and a clock.
+/// The properties of this machine that the engine needs: the memory that is free now, and a clock.
 #[must_use]
 pub fn this_machine() -> Machine {
     Machine { memory: Some(free_memory()), clock: clock::elapsed }

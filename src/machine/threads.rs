@@ -7,10 +7,10 @@ use std::time::Duration;
 pub use rayon::{ThreadPool, ThreadPoolBuildError};
 pub use std::thread::JoinHandle;
 
-/// Whether what was started begins while the window waits.
+/// Whether a started thread begins to run while the window blocks.
 pub const BEGINS_WHILE_WAITED_FOR: bool = true;
 
-/// The number of threads that this machine runs at once; 1 where it does not tell.
+/// The number of threads that this machine runs at once; 1 where the system does not report it.
 #[must_use]
 pub fn cores() -> usize {
     thread::available_parallelism().map_or(1, usize::from)
@@ -19,12 +19,13 @@ pub fn cores() -> usize {
 /// A pool of `threads` threads; 0 = as many as there are cores.
 ///
 /// # Errors
-/// Where the system has not so many threads left.
+/// Where the system does not have enough threads left.
 pub fn pool(threads: usize) -> Result<ThreadPool, ThreadPoolBuildError> {
     rayon::ThreadPoolBuilder::new().num_threads(threads).build()
 }
 
-/// Runs `work` in a pool of `threads` threads. `None`, or no threads left = in the pool that all of the program shares.
+/// Runs `work` in a pool of `threads` threads; in the pool that the whole program shares where `threads` is `None`, or
+/// where there are no threads left.
 pub fn with<T: Send>(threads: Option<usize>, work: impl FnOnce() -> T + Send) -> T {
     match threads.and_then(|threads| pool(threads).ok()) {
         Some(pool) => pool.install(work),
@@ -62,7 +63,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn work_runs_in_as_many_threads_as_are_asked_for() {
+    fn work_runs_in_the_requested_number_of_threads() {
         assert_eq!(with(Some(3), rayon::current_num_threads), 3);
         assert_eq!(with(None, rayon::current_num_threads), rayon::current_num_threads());
     }

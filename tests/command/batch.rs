@@ -40,7 +40,7 @@ fn one_document_that_fails_does_not_stop_the_others() {
 }
 
 #[test]
-fn a_picture_of_a_batch_is_that_of_its_document_alone() {
+fn a_picture_of_a_batch_equals_the_one_that_its_document_grows_alone() {
     let folder = TempDir::new().unwrap();
     let [a, b] = ["a", "b"].map(|name| document(folder.path(), name));
     let (out, alone) = (folder.path().join("out"), folder.path().join("alone.png"));
@@ -50,7 +50,7 @@ fn a_picture_of_a_batch_is_that_of_its_document_alone() {
 }
 
 #[test]
-fn variations_are_seeds_and_a_sheet_of_them_all() {
+fn variations_are_pictures_of_several_seeds_and_a_sheet_of_all() {
     let folder = TempDir::new().unwrap();
     let (a, out) = (document(folder.path(), "a"), folder.path().join("out"));
     let seeds = ["--variations", "3", "--seed", "5", "--quiet"];
@@ -135,7 +135,8 @@ fn every_command_has_completions_and_a_manual_page() {
     }
 }
 
-/// Whether a program of this name succeeds, with its output. `None` if it is not installed, which is reported on stderr.
+/// The output of a program if it is installed and succeeds with these arguments. `None` if it is not installed, which
+/// is reported on stderr.
 fn told_by(program: &str, arguments: &[&str]) -> Option<(bool, String)> {
     let Ok(output) = std::process::Command::new(program).args(arguments).output() else {
         let _ = std::io::stderr().write_all(format!("SKIPPED: there is no {program} here\n").as_bytes());
@@ -146,7 +147,7 @@ fn told_by(program: &str, arguments: &[&str]) -> Option<(bool, String)> {
 }
 
 #[test]
-fn pages_have_nothing_that_troff_or_mandoc_warns_of() {
+fn troff_and_mandoc_have_no_warnings_about_the_pages() {
     let folder = TempDir::new().unwrap();
     dapple().args(["man", "-o"]).arg(folder.path()).assert().success();
     for name in names(folder.path()) {

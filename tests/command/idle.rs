@@ -1,4 +1,4 @@
-//! Options that do nothing for the files that are written are told.
+//! Options that have no effect on the files that are written are reported.
 
 use crate::grow::folder::{Folder, document};
 use serde_json::json;
@@ -9,7 +9,7 @@ fn folder() -> Folder {
 }
 
 #[test]
-fn an_option_that_does_nothing_for_a_format_is_told() {
+fn an_option_without_effect_on_a_format_is_reported() {
     let folder = folder();
     for (line, option) in [
         ("grow a.dapple -o a.png --quality 50", "--quality"),
@@ -32,7 +32,7 @@ fn an_option_that_does_nothing_for_a_format_is_told() {
 }
 
 #[test]
-fn an_option_that_does_something_is_not_told() {
+fn an_option_with_an_effect_is_not_reported() {
     let folder = folder();
     for line in [
         "grow a.dapple -o a.jpg --quality 50",

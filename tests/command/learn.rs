@@ -87,7 +87,7 @@ fn new_growths_are_compared_with_the_bounds() {
     assert!(output.status.success() && output.stderr.is_empty(), "{}", text(&output.stderr));
     let printed = text(&output.stdout);
     assert!(
-        printed.contains("random targets grown anew") && printed.contains("allowed 1.5 / 5 %"),
+        printed.contains("random targets that were grown") && printed.contains("allowed 1.5 / 5 %"),
         "{printed}"
     );
     let table = table(&folder.path().join("table.csv"));
@@ -104,7 +104,7 @@ fn new_growths_are_compared_with_the_bounds() {
 }
 
 #[test]
-fn the_factors_of_laws_of_pairs_are_learnt() {
+fn the_factors_on_the_laws_of_pairs_are_learnt() {
     let folder = tempfile::tempdir().unwrap();
     let output = learn(&["--no-simulation", "-o", "table.csv"], folder.path());
     assert!(output.status.success(), "{}", text(&output.stderr));
@@ -125,7 +125,7 @@ fn the_factors_of_laws_of_pairs_are_learnt() {
 }
 
 #[test]
-fn targets_of_pairs_are_grown_by_the_law_and_by_what_was_learnt() {
+fn targets_of_pairs_are_grown_by_the_law_and_with_the_learnt_factors() {
     let folder = tempfile::tempdir().unwrap();
     let output = learn(&["--targets", "3", "--system", "stucco", "-o", "table.csv"], folder.path());
     assert!(output.status.success() && output.stderr.is_empty(), "{}", text(&output.stderr));

@@ -15,8 +15,8 @@ mod pictures;
 mod reach;
 mod sheet;
 
-/// Of pictures or documents that all test the same, those that are tried: one of `of`, or all of them where `DAPPLE_ALL` is set
-/// (`.ci/property`).
+/// The pictures or documents to try, of several that test the same thing: one out of `of`, or all of them where
+/// `DAPPLE_ALL` is set (`.ci/property`).
 fn some<T>(all: impl IntoIterator<Item = T>, of: usize) -> Vec<T> {
     let step = if std::env::var_os("DAPPLE_ALL").is_some() { 1 } else { of };
     all.into_iter().step_by(step).collect()

@@ -71,7 +71,7 @@ fn gif(bytes: &[u8]) -> (Vec<u16>, bool) {
     (delays, again)
 }
 
-/// The frames of a GIF or an animated PNG as decoded by another library: red, green, blue a px.
+/// The frames of a GIF or an animated PNG, decoded by another library: red, green, blue for each px.
 fn shown(frames: image::Frames) -> Vec<Vec<u8>> {
     let frames = frames.collect_frames().unwrap();
     frames
@@ -80,8 +80,8 @@ fn shown(frames: image::Frames) -> Vec<Vec<u8>> {
         .collect()
 }
 
-/// Decodes the frames of a GIF independently of the library that wrote it: LZW of variable width, transparent px stay (CompuServe 1990,
-/// appendix F).
+/// Decodes the frames of a GIF independently of the library that wrote it: LZW of variable width; transparent px keep
+/// their colour (CompuServe 1990, appendix F).
 fn painted(bytes: &[u8], over: Option<&[u8]>) -> Vec<Vec<u8>> {
     let word = |at: usize| usize::from(u16::from_le_bytes([bytes[at], bytes[at + 1]]));
     let (width, height) = (word(6), word(8));
@@ -95,7 +95,7 @@ fn painted(bytes: &[u8], over: Option<&[u8]>) -> Vec<Vec<u8>> {
             _ => (at + 11, Some(at)),
         };
         if bytes[at..at + 2] == [0x21, 0xf9] {
-            // Frames are not disposed; the sixth byte is the transparent colour.
+            // Frames are not disposed of; the sixth byte is the transparent colour.
             assert_eq!(bytes[at + 3] >> 2 & 7, 1);
             clear = (bytes[at + 3] & 1 == 1).then_some(bytes[at + 6]);
         }
@@ -185,7 +185,7 @@ fn frames_are_spaced_by_visible_change() {
 }
 
 #[test]
-fn patches_streaks_and_cracks_grow_from_where_they_begin() {
+fn patches_streaks_and_cracks_grow_from_their_starting_points() {
     let folder = TempDir::new().unwrap();
     let blot = r#"{"kind": "outline", "points": [[20,20],[34,16],[44,26],[40,38],[28,42],[18,32]]}"#;
     let colours = r##"{"stops": [{"at": 0, "colour": "#ffffff"}, {"at": 1, "colour": "#000000"}]}"##;
@@ -292,7 +292,7 @@ fn a_reader_decodes_the_frames_of_a_gif_as_exactly_as_255_colours_allow() {
         let off: f64 = seen.iter().zip(frame).map(|(a, b)| f64::from(a.abs_diff(*b))).sum();
         assert!(off < frame.len() as f64, "{} in the mean", off / frame.len() as f64);
     }
-    // When it repeats, nothing of its last frame is left.
+    // When the film repeats, nothing of its last frame is left.
     assert!(seen[0] != seen[7] && painted(&bytes, Some(&seen[7])) == seen);
 }
 
@@ -368,7 +368,7 @@ fn a_film_from_thin_stripes_to_wide_ones_is_refused_with_the_remedy() {
 }
 
 #[test]
-fn an_impossible_film_is_refused_with_the_remedy_and_leaves_nothing() {
+fn an_impossible_film_is_refused_with_the_remedy_and_leaves_no_file() {
     let folder = TempDir::new().unwrap();
     let (spots, stripes) = (document(&folder, "spots", SPOT), document(&folder, "stripes", LINE));
     let full = folder.path().join("full");

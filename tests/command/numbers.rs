@@ -1,4 +1,4 @@
-//! Every option of every command that takes a number takes any: it is used or refused in words.
+//! Every option of every command that takes a number takes any number: it is used, or refused with a message.
 
 use std::time::Duration;
 
@@ -8,7 +8,7 @@ use serde_json::json;
 use crate::grow::folder::{Folder, document};
 use crate::some;
 
-/// Numbers at the ends of what is usual, and beyond.
+/// Numbers at the ends of the usual range, and beyond it.
 const NUMBERS: [&str; 15] = [
     "0",
     "-0",
@@ -27,7 +27,7 @@ const NUMBERS: [&str; 15] = [
     "-inf",
 ];
 
-/// Short uses of all commands; of `lookup` one for each way to answer.
+/// Short uses of all commands; of `lookup` one for each kind of answer.
 const USES: [&str; 20] = [
     "grow spots.dapple -o a.png",
     "grow lines.dapple -o a.jpg --svg a.svg --dxf a.dxf --pattern p.png --material m --style stroke",
@@ -51,7 +51,8 @@ const USES: [&str; 20] = [
     "lookup --system cells --area 90 --aspect 0.8 --angle 0",
 ];
 
-/// The options of a command that take numbers, with what their values are called: all but those that name files, systems and units.
+/// The options of a command that take numbers, with the names of their values. Options that name files, systems and
+/// units are left out.
 fn numeric_options(command: &str) -> Vec<(String, String)> {
     let output = Folder::new().dapple(&format!("{command} --help")).output().unwrap();
     let help = String::from_utf8(output.stdout).unwrap();
@@ -65,7 +66,7 @@ fn numeric_options(command: &str) -> Vec<(String, String)> {
     help.lines().filter_map(option).collect()
 }
 
-/// Values of an option in which `number` stands at each place that its name has.
+/// Values of an option, with `number` at each place of its value.
 fn values(name: &str, number: &str) -> Vec<String> {
     let forms: &[&str] = match name {
         "WxH" | "CxR" => &["NxN", "8xN"],
@@ -80,7 +81,7 @@ fn values(name: &str, number: &str) -> Vec<String> {
     forms.iter().map(|form| form.replace('N', number)).collect()
 }
 
-/// `line` with this option in place of the one that it has, if it has it.
+/// The command line `line` with this value of this option, where it has the option.
 fn with(line: &str, option: &str, value: &str) -> Vec<String> {
     let mut words: Vec<String> = line.split_whitespace().map(str::to_owned).collect();
     let name = format!("--{option}");
@@ -107,7 +108,7 @@ fn folder() -> Folder {
     folder
 }
 
-/// `dapple` in this folder; where that can be limited, with 4 GB of addresses, which hold all that these uses need.
+/// `dapple` in this folder. Where possible, its address space is limited to 4 GB, which is enough for all these uses.
 fn limited(folder: &Folder) -> Command {
     if cfg!(not(unix)) {
         return folder.dapple("");
@@ -119,7 +120,7 @@ fn limited(folder: &Folder) -> Command {
 }
 
 #[test]
-fn any_number_is_used_or_refused_in_words() {
+fn any_number_is_used_or_refused_with_a_message() {
     let folder = folder();
     let mut tried = Vec::new();
     for line in USES {
@@ -133,7 +134,7 @@ fn any_number_is_used_or_refused_in_words() {
         }
     }
     assert!(tried.len() > 2_000, "{}", tried.len());
-    // A prime: each option meets other numbers in each use.
+    // A prime number, so that each option gets other numbers in each use.
     for words in some(tried, 7) {
         let output = limited(&folder).args(&words).timeout(Duration::from_secs(100)).output().unwrap();
         let (code, said) = (output.status.code(), String::from_utf8_lossy(&output.stderr));

@@ -1,4 +1,4 @@
-//! Every command reports attributes that cannot be reached, in words and numbers, with lengths in px.
+//! Every command reports attributes that cannot be reached, with numbers and with lengths in px.
 
 use assert_cmd::Command;
 use serde_json::{Value, json};
@@ -13,7 +13,7 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
 }
 
-/// Four round ellipses of `radius` px, `pitch` px apart in a square.
+/// A document with four round ellipses of `radius` px, `pitch` px apart in a square.
 fn document(radius: f64, pitch: f64) -> Value {
     let ellipse = |x: f64, y: f64| json!({"kind": "ellipse", "center": [20.0 + x * pitch, 20.0 + y * pitch], "radii": [radius, 0.8 * radius], "angle": 0});
     let strokes = [ellipse(0.0, 0.0), ellipse(1.0, 0.0), ellipse(0.0, 1.0), ellipse(1.0, 1.0)];
@@ -24,7 +24,7 @@ fn document(radius: f64, pitch: f64) -> Value {
 }
 
 #[test]
-fn check_names_drawn_marks_that_are_too_near_to_others() {
+fn check_names_drawn_marks_that_are_too_close_to_others() {
     let folder = tempfile::tempdir().unwrap();
     let mut document = document(10.0, 50.0);
     let strokes = document["layers"][0]["strokes"].as_array_mut().unwrap();

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
-/// A document of this size whose spots are red (`#ff0000`) from their edge on and whose ground is green.
+/// Writes a document of this size whose spots are red (`#ff0000`) from their edge inwards, and whose ground is green.
 fn document(folder: &TempDir, name: &str, [width, height]: [u32; 2]) -> PathBuf {
     let path = folder.path().join(format!("{name}.dapple"));
     let stops = r##"[{"at": 0.5, "colour": "#00ff00"}, {"at": 0.5, "colour": "#ff0000"}]"##;
@@ -120,7 +120,8 @@ fn lit_pictures_show_a_relief() {
         picture.get_pixel(x, y).0.iter().map(|value| i64::from(*value)).sum::<i64>()
     };
     let is_red = |x: u32, y: u32| plain.get_pixel(x, y).0[0] > 200;
-    // How much brighter raised slopes are than hollow ones: where a spot ends to the upper left, and to the lower right.
+    // The difference in brightness of slopes between raised and hollow marks, where a spot ends to the upper left and
+    // to the lower right.
     let mut brighter = [0; 2];
     for (x, y) in (3..93).flat_map(|x| (3..93).map(move |y| (x, y))).filter(|(x, y)| is_red(*x, *y)) {
         let difference = sum(raised, x, y) - sum(hollow, x, y);

@@ -22,7 +22,7 @@ const QUESTIONS: &str = "system,width,angle\nmeinhardt-stripes,8,30\nmeinhardt-s
 pub struct Bench(TempDir);
 
 impl Bench {
-    /// With `a.dapple`, `b.dapple` (another seed), `in.svg`, `in.csv`.
+    /// A folder with `a.dapple`, `b.dapple` (another seed), `in.svg`, `in.csv`.
     pub fn new() -> Self {
         let bench = Self(tempfile::tempdir().unwrap());
         bench.write("a.dapple", DOCUMENT);
@@ -66,7 +66,7 @@ impl Bench {
         assert_eq!(code, Some(0), "{arguments}: {said}");
     }
 
-    /// Asserts that it ends with this code and one line that holds these words.
+    /// Asserts that the command ends with this code and with one line that contains these words.
     #[track_caller]
     pub fn refuses(&self, arguments: &str, code: i32, words: &[&str]) {
         let (found, said) = self.run(arguments);
@@ -83,14 +83,14 @@ pub fn printed(output: &Output) -> (Option<i32>, String) {
     (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
 }
 
-/// All files in a folder and those in it, by their paths within it.
+/// All files in a folder and its subfolders, by their paths within it.
 pub fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     fn into(at: &Path, within: &str, found: &mut BTreeMap<String, Vec<u8>>) {
         for entry in fs::read_dir(at).into_iter().flatten().flatten() {
             let name = format!("{within}{}", entry.file_name().to_string_lossy());
             match entry.path().is_dir() {
                 true => into(&entry.path(), &format!("{name}/"), found),
-                // It may have been renamed in the meantime.
+                // The file may have been renamed in the meantime.
                 false => drop(fs::read(entry.path()).map(|bytes| found.insert(name, bytes))),
             }
         }
@@ -105,7 +105,7 @@ pub fn is_part(name: &str) -> bool {
     name.split('/').any(|part| part.starts_with(".dapple-") && part.ends_with(".part"))
 }
 
-/// Writes a line to stderr directly: the test harness would hide it.
+/// Writes a line to stderr directly, because the test harness would hide it.
 pub fn say(line: &str) {
     let _ = std::io::stderr().write_all(format!("{line}\n").as_bytes());
 }

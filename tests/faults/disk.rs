@@ -1,4 +1,5 @@
-//! A full disk, no permission to write, no folder: the message says what to do, exit code 1, and existing files stay.
+//! A full disk, no permission to write, no folder: the message gives the remedy, the exit code is 1, and existing files
+//! stay.
 
 use std::fs;
 
@@ -29,13 +30,13 @@ const WRITERS: [&str; 21] = [
     "learn --no-simulation --targets 1 --system meinhardt-stripes -o OUT/e.csv",
     "man -o OUT",
 ];
-/// The names they write there.
+/// The names of the files that they write there.
 const NAMES: [&str; 17] = [
     "a.png", "a.tif", "a.exr", "a.jpg", "a.webp", "a.svg", "a.dxf", "p.png", "l.png", "c.exr", "r.json",
     "f.gif", "f.png", "s.png", "i.dapple", "t.csv", "e.csv",
 ];
 
-/// A file of each name, to check that it is unchanged.
+/// Writes a file of each name, to check later that it is unchanged.
 fn write_old(bench: &Bench) {
     for name in NAMES {
         bench.write(&format!("out/{name}"), "old");
@@ -45,7 +46,7 @@ fn write_old(bench: &Bench) {
     bench.write("out/m/a_Height.png", "old");
 }
 
-/// Runs all writers; asserts that each fails with these words and changes nothing, in the folder or outside it.
+/// Runs all writers. Asserts that each fails with these words, and changes nothing in the folder or outside it.
 fn all_refuse(bench: &Bench, words: &[&str]) {
     let (before, beside) = (files(&bench.path("out")), bench.path("here.png"));
     for writer in WRITERS {
@@ -64,7 +65,7 @@ fn a_full_disk_is_reported_and_loses_nothing() {
     write_old(&bench);
     mounted.fill(0);
     all_refuse(&bench, &["the disk is full; free some space, or choose another folder"]);
-    // Of many documents each has its own message.
+    // With many documents, each one has its own message.
     let (code, said) = bench.run("grow a.dapple b.dapple -o out");
     assert_eq!((code, said.matches("the disk is full").count()), (Some(1), 2), "{said}");
     assert_eq!(bench.bytes("out/a.png"), b"old");
@@ -75,7 +76,7 @@ fn a_disk_that_fills_up_while_a_file_is_written_loses_nothing() {
     let bench = Bench::new();
     let Some(mounted) = Mounted::on(&bench.path("out")) else { return };
     write_old(&bench);
-    // Room for the beginning of each file.
+    // There is room for the beginning of each file.
     mounted.fill(1);
     let before = files(&bench.path("out"));
     for writer in [

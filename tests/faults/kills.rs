@@ -1,7 +1,7 @@
-//! kill -9 at random moments while files are written over older ones: each is the complete old or new one, and the next
-//! run removes what was left behind.
+//! Kills the program by kill -9 at random moments while it writes over older files: afterwards each file is the
+//! complete old or new one, and the next run removes temporary files.
 //!
-//! `DAPPLE_KILLS` says how many (8), `DAPPLE_SEED` which (1).
+//! `DAPPLE_KILLS` is the number of kills (default 8), `DAPPLE_SEED` the seed of the random moments (default 1).
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -18,7 +18,7 @@ use crate::running::Running;
 
 type Files = BTreeMap<String, Vec<u8>>;
 
-/// Time between two looks at what is being written.
+/// Time between two checks of what is being written.
 const BETWEEN: Duration = Duration::from_micros(100);
 
 /// A command that writes into `out`, with the command that writes the older files.
@@ -61,7 +61,7 @@ fn number(name: &str, usual: u64) -> u64 {
     std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(usual)
 }
 
-/// The same files, with the times in the report set to 0.
+/// The files, with the times in the report set to 0.
 fn without_time(mut files: Files) -> Files {
     if let Some(bytes) = files.get_mut("r.json")
         && let Ok(mut report) = serde_json::from_slice::<serde_json::Value>(bytes)
@@ -72,7 +72,7 @@ fn without_time(mut files: Files) -> Files {
     files
 }
 
-/// How long a run takes, and how long until it begins to write.
+/// The duration of a run, and the time until it begins to write.
 struct Course {
     whole: Duration,
     writes: Duration,
@@ -86,14 +86,14 @@ struct Killing {
     random: Pcg64Mcg,
 }
 
-/// Results of the kills.
+/// Counts of the results.
 #[derive(Default)]
 struct Count {
     killed: u64,
     ended: u64,
-    /// Killed while a file was being written.
+    /// Kills while a file was being written.
     writing: u64,
-    /// Files afterwards that were old, new.
+    /// Files that were afterwards old, and new.
     old: u64,
     new: u64,
 }
@@ -120,7 +120,7 @@ impl Killing {
         Self { bench, old, new, course: Course { whole, writes: writes.unwrap_or(whole) }, random }
     }
 
-    /// Restores the old files; those that a killed run left stay.
+    /// Restores the old files; temporary files of a killed run stay.
     fn renew(&self) {
         for name in self.new.keys().filter(|name| !self.old.contains_key(*name)) {
             let _ = fs::remove_file(self.bench.path("out").join(name));
@@ -132,7 +132,7 @@ impl Killing {
         }
     }
 
-    /// Waits for a random moment, every other time while it writes, and kills.
+    /// Waits for a random moment (every second time, until the run writes), and kills the run.
     fn kill(&mut self, job: &Job, while_writing: bool, count: &mut Count) {
         let out = self.bench.path("out");
         let mut running = start(&self.bench, job.new);
@@ -150,7 +150,7 @@ impl Killing {
         }
     }
 
-    /// Each file is the old or the new one.
+    /// Checks that each file is the old or the new one.
     fn check(&self, job: &Job, count: &mut Count) {
         let there = without_time(files(&self.bench.path("out")));
         let old = without_time(self.old.clone());
@@ -172,7 +172,7 @@ fn start(bench: &Bench, arguments: &str) -> Running {
     Running::start(bench.command(arguments).stderr(Stdio::null()))
 }
 
-/// Files and folders that are being written, or were.
+/// The number of temporary files and folders.
 fn parts(folder: &Path) -> usize {
     let names = |folder: &Path| -> Vec<String> {
         let entries = fs::read_dir(folder).into_iter().flatten().flatten();
@@ -186,7 +186,7 @@ fn is_writing(folder: &Path) -> bool {
 }
 
 #[test]
-fn files_that_are_written_when_the_program_is_killed_are_old_or_new_and_whole() {
+fn files_are_complete_old_or_new_ones_after_the_program_was_killed() {
     let (kills, seed) = (number("DAPPLE_KILLS", 8), number("DAPPLE_SEED", 1));
     let mut all = Count::default();
     for (index, job) in JOBS.iter().enumerate() {
@@ -195,10 +195,10 @@ fn files_that_are_written_when_the_program_is_killed_are_old_or_new_and_whole() 
         let random = Pcg64Mcg::seed_from_u64(seed + 1000 * index as u64);
         let mut killing = Killing::new(job, random);
         let mut count = Count::default();
-        // A run that ended before the kill is repeated a limited number of times.
+        // If a run ended before the kill, it is repeated, a limited number of times.
         let mut turn = 0;
         while count.killed < times && turn < 4 * times {
-            // Files that the previous run left would be counted for this one.
+            // Temporary files of the previous run would be counted for this one.
             clear_parts(&killing.bench.path("out"));
             killing.renew();
             killing.kill(job, turn % 2 == 0, &mut count);
@@ -214,7 +214,7 @@ fn files_that_are_written_when_the_program_is_killed_are_old_or_new_and_whole() 
         );
         let Count { killed, ended, writing, old, new } = count;
         let name: String = job.new.split_whitespace().take(4).collect::<Vec<_>>().join(" ");
-        // Directly to stderr: these numbers are reported.
+        // Written directly to stderr, because these numbers are reported.
         let times = format!("{killed:3} killed ({writing} while writing), {ended} ended before");
         say(&format!("{name:34} {times}; then {old} old files, {new} new"));
         all.killed += killed;
@@ -224,7 +224,7 @@ fn files_that_are_written_when_the_program_is_killed_are_old_or_new_and_whole() 
     assert!(all.killed > 0 && all.writing > 0);
 }
 
-/// Removes what the previous run left.
+/// Removes the temporary files of the previous run.
 fn clear_parts(out: &Path) {
     for name in files(out).keys().filter(|name| is_part(name)) {
         let _ = fs::remove_file(out.join(name));
@@ -238,7 +238,7 @@ fn the_next_run_into_a_folder_removes_what_a_killed_one_left() {
     let bench = Bench::new();
     fs::create_dir(bench.path("out")).unwrap();
     let job = "grow a.dapple -o out/a.png --size 256x256 --scale 8";
-    // It may have ended before the kill.
+    // The run may have ended before the kill.
     for _ in 0..20 {
         let mut child = start(&bench, job).child;
         while child.try_wait().unwrap().is_none() && !is_writing(&bench.path("out")) {
@@ -253,7 +253,7 @@ fn the_next_run_into_a_folder_removes_what_a_killed_one_left() {
     assert!(is_writing(&bench.path("out")), "it was never caught");
     bench.does("import in.svg -o out/i.dapple");
     assert_eq!(parts(&bench.path("out")), 0);
-    // But not while it is being written: both processes complete.
+    // Not while another process is writing: both processes complete.
     fs::remove_file(bench.path("out/a.png")).unwrap_or_default();
     let mut child = start(&bench, job).child;
     while child.try_wait().unwrap().is_none() {

@@ -1,13 +1,13 @@
-//! Many documents in one process: the memory does not grow.
+//! The memory of a process does not grow with the number of documents.
 //!
-//! `DAPPLE_LOAD` says how many documents (60).
+//! `DAPPLE_LOAD` is the number of documents (default 60).
 
 use std::io::{BufRead, BufReader};
 use std::process::Stdio;
 
 use crate::bench::{Bench, say};
 
-/// Allowed growth of memory, MB: allocators keep freed memory.
+/// The growth of memory that is allowed, MB: allocators keep freed memory.
 const SLACK: f64 = 12.0;
 
 /// Resident memory of a process, MB.
@@ -61,28 +61,28 @@ fn many_documents_in_one_batch_take_no_more_memory_than_few() {
         command.arg(name);
     }
     let mut child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
-    // Many documents have notes, which are printed one after the other while they grow.
+    // Many documents have notes, which are printed one after the other while the documents grow.
     let mut samples = Vec::new();
     let mut said = Vec::new();
     for line in BufReader::new(child.stderr.take().unwrap()).lines().map_while(Result::ok) {
         samples.extend(memory(child.id()));
         said.push(line);
     }
-    // Documents that are refused, because there is no room between their marks, count too.
+    // Documents that are refused because there is no room between their marks count too.
     assert!(matches!(child.wait().unwrap().code(), Some(0 | 1)), "{}", said.join("\n"));
     let grown = std::fs::read_dir(bench.path("out")).unwrap().count();
     assert!(samples.len() > many / 2 && grown > 2 * many / 3, "{grown} of {many}: {}", said.join("\n"));
     let most = |part: &[f64]| part.iter().copied().fold(0.0, f64::max);
     let parts: Vec<f64> = samples.chunks(samples.len().div_ceil(10)).map(most).collect();
     let output: Vec<String> = parts.iter().map(|part| format!("{part:.0}")).collect();
-    // Directly to stderr: docs/faults.md reports this number.
+    // Written directly to stderr, because docs/faults.md reports this number.
     say(&format!("{many} documents, {grown} grown: MB at most in each tenth: {}", output.join(" ")));
     let third = samples.len() / 3;
     let (first, last) = (most(&samples[..third]), most(&samples[2 * third..]));
     assert!(last <= first + SLACK, "it grew from {first:.1} to {last:.1} MB: {output:?}");
 }
 
-/// Grows repeatedly in one process, as the window does.
+/// Grows repeatedly in one process, like the window.
 #[cfg(target_os = "linux")]
 #[ignore = "other tests of this process would be measured too: .ci/faults runs it alone"]
 #[test]

@@ -1,5 +1,5 @@
 //! Faults: kills, full disks, no permission to write, the same file twice, damaged training sets, a thousand documents.
-//! `.ci/faults` runs the long versions; docs/faults.md describes what was tried.
+//! `.ci/faults` runs the long versions; docs/faults.md describes the results.
 #![cfg(unix)]
 
 mod bench;

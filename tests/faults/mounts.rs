@@ -7,12 +7,12 @@ use std::process::Command;
 
 use crate::bench::say;
 
-/// A file system in memory, of 1 MB; unmounted when it is dropped.
+/// A file system of 1 MB in memory, which is unmounted when this is dropped.
 pub struct Mounted(PathBuf);
 
 impl Mounted {
-    /// Creates `folder` and mounts it there. `None` if that is not permitted, which is reported on stderr; with
-    /// `DAPPLE_MUST_MOUNT` set the test fails.
+    /// Creates `folder` and mounts the file system there. `None` if that is not permitted, which is reported on stderr;
+    /// with `DAPPLE_MUST_MOUNT` set, the test fails then.
     pub fn on(folder: &Path) -> Option<Self> {
         fs::create_dir_all(folder).unwrap();
         if mount(&["-t", "tmpfs", "-o", "size=1m", "tmpfs"], folder) {
@@ -24,7 +24,7 @@ impl Mounted {
         None
     }
 
-    /// Fills it up, except for `blocks` blocks of 4096 bytes.
+    /// Fills the file system, except for `blocks` blocks of 4096 bytes.
     pub fn fill(&self, blocks: usize) {
         let mut filler = fs::File::create(self.0.join("filler")).unwrap();
         while filler.write_all(&[7; 4096]).is_ok() {}
@@ -32,13 +32,13 @@ impl Mounted {
         filler.set_len(length - 4096 * blocks as u64).unwrap();
     }
 
-    /// Deletes the filling.
+    /// Deletes the file that fills it.
     #[cfg(feature = "app")]
     pub fn make_room(&self) {
         fs::remove_file(self.0.join("filler")).unwrap();
     }
 
-    /// Makes it read-only.
+    /// Makes the file system read-only.
     pub fn protect(&self) {
         assert!(mount(&["-o", "remount,ro"], &self.0), "it was mounted");
     }

@@ -1,4 +1,4 @@
-//! Standard output that is full or closed.
+//! Standard output and standard error that are full or closed.
 
 use std::fs::File;
 use std::process::Stdio;
@@ -66,7 +66,7 @@ fn a_closed_standard_error_is_no_error() {
     }
 }
 
-/// With a display that does not exist.
+/// The environment names a display that does not exist.
 #[cfg(all(target_os = "linux", feature = "app"))]
 #[test]
 fn a_missing_display_is_reported_with_the_remedy() {

@@ -1,4 +1,4 @@
-//! A program that runs, and waiting for its end for a limited time.
+//! A running program, and waiting for its end with a time limit.
 
 use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
@@ -7,7 +7,7 @@ use std::time::Duration;
 /// A program that runs.
 pub struct Running {
     pub child: Child,
-    /// Nothing is sent: it is closed with the standard output of the program.
+    /// Nothing is sent on this channel; it is closed together with the standard output of the program.
     ended: Receiver<()>,
 }
 
@@ -24,7 +24,7 @@ impl Running {
         Self { child, ended }
     }
 
-    /// Waits for its end, but no longer than `time`. Returns whether it ends.
+    /// Waits for the end of the program, at most for `time`. Returns whether it has ended.
     pub fn ends_within(&self, time: Duration) -> bool {
         self.ended.recv_timeout(time) == Err(RecvTimeoutError::Disconnected)
     }

@@ -77,7 +77,7 @@ fn documents_of_a_batch_do_not_share_a_file() {
     );
     bench.refuses("grow a.dapple -o out --variations 2 --material m", 2, &["--material", "--variations"]);
     assert!(!bench.path("out").exists() && !bench.path("m").exists());
-    // A picture that contains its document, grown into its own folder.
+    // A picture that holds its document is grown into its own folder.
     bench.does("grow a.dapple -o c.png");
     let before = bench.bytes("c.png");
     bench.refuses("grow b.dapple c.png -o . --seed 7", 2, &["c.png twice", "two files"]);

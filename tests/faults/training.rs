@@ -37,7 +37,7 @@ fn a_damaged_table_is_reported_with_the_place_of_the_damage() {
     says("", &["line 1", "the column 'seed' is missing", "the columns are"]);
     says(&whole[..line(50) + 20], &["line 51"]);
     says(&whole[..line(1)], &["0 rows", "1500"]);
-    // Cut between two lines, or within the last number: only the manifest reveals it.
+    // Cut between two lines, or within the last number: only the manifest shows that something is missing.
     says(&whole[..line(50)], &["holds 49 rows, and 1500 were written", "sweep again"]);
     says(&whole.replace("stretch", "strecth"), &["line 1", "'strecth' is unknown"]);
     let first = whole.lines().nth(1).unwrap();

@@ -71,7 +71,7 @@ fn unsaved_work_without_room_on_the_disk_is_reported_once_and_kept_once_there_is
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
     hand.until("a notice", |window| !window.notices().is_empty());
     assert!(notice(&hand).contains("the disk is full"), "{}", notice(&hand));
-    // It is shown from the next frame on.
+    // The notice is shown from the next frame on.
     hand.rest();
     hand.press("OK");
     mounted.make_room();

@@ -1,6 +1,6 @@
-//! The fuzz targets as ordinary tests, on all seeds and on damaged ones.
+//! The fuzz targets as ordinary tests: they run on all seeds and on damaged ones.
 //!
-//! `docs/fuzzing.md` says how libFuzzer runs the same bodies, guided by coverage.
+//! `docs/fuzzing.md` describes how libFuzzer runs the same bodies, guided by coverage.
 
 #[path = "bodies/document.rs"]
 mod document;
@@ -30,7 +30,7 @@ use mutations::Seeds;
 use proptest::test_runner::{Config, TestRunner};
 use std::path::Path;
 
-/// Tries `holds` on each seed of `target`, then on so many damaged ones.
+/// Runs `holds` on each seed of `target`, then on `cases` damaged ones.
 fn tried(target: &str, cases: u32, holds: fn(&[u8])) {
     let seeds = Seeds::for_target(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fuzz"), target);
     for (name, bytes) in &seeds.files {

@@ -1,13 +1,13 @@
-//! The seeds of a fuzz target, and mutations of them: the same kinds of damage that libFuzzer does.
+//! The seeds of a fuzz target, and mutations of them: kinds of damage that libFuzzer makes as well.
 
 use proptest::prelude::*;
 use proptest::sample::Index;
 use std::path::{Path, PathBuf};
 
-/// What happens to a file.
+/// A kind of damage to a file.
 #[derive(Clone, Debug)]
 enum Damage {
-    /// A byte becomes another.
+    /// A byte is replaced.
     Byte(Index, u8),
     /// Some bytes are lost.
     Cut(Index, usize),
@@ -15,19 +15,19 @@ enum Damage {
     Repeat(Index, usize, usize),
     /// A word of the dictionary is inserted.
     Word(Index, Index),
-    /// The rest is that of another seed.
+    /// The rest is replaced by that of another seed.
     Splice(Index, Index, Index),
 }
 
 /// The seeds and the words of a target.
 pub struct Seeds {
-    /// Name and bytes of each, by their names.
+    /// Name and bytes of each seed, sorted by name.
     pub files: Vec<(String, Vec<u8>)>,
     words: Vec<Vec<u8>>,
 }
 
 impl Seeds {
-    /// Those of `target`, from the folder of the fuzz targets.
+    /// The seeds of `target`, from the folder of the fuzz targets.
     pub fn for_target(folder: &Path, target: &str) -> Self {
         let entries = std::fs::read_dir(folder.join("corpus").join(target)).expect("the target has seeds");
         let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("a seed").path()).collect();
@@ -41,7 +41,7 @@ impl Seeds {
         Self { files: paths.iter().map(named).collect(), words: words.collect() }
     }
 
-    /// Damaged seeds.
+    /// A strategy for damaged seeds.
     pub fn damaged(&self) -> impl Strategy<Value = Vec<u8>> {
         let damage = prop_oneof![
             3 => (any::<Index>(), any::<u8>()).prop_map(|(at, byte)| Damage::Byte(at, byte)),

@@ -1,11 +1,12 @@
-//! The same bytes of every kind of output from any number of threads and any solver that this machine has.
+//! Every kind of output has the same bytes with any number of threads and any solver that this machine has.
 
 use crate::folder::Folder;
 use dapple_engine::rd::Solver;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
-/// Spots that change from region to region, ringed, with stripes between, at closed edges: enough cells for four bands.
+/// A document whose spots change from region to region, with rings around them and stripes between, at closed edges. It
+/// has enough cells for four bands.
 fn closed() -> String {
     let ellipse = |x: f64, y: f64, r: [f64; 2], angle: f64| json!({"kind": "ellipse", "center": [x, y], "radii": r, "angle": angle});
     let spots = [
@@ -25,7 +26,7 @@ fn closed() -> String {
     .to_string()
 }
 
-/// Irregular spots of Turing's three fields, small ones inside, on a seamless tile.
+/// A document of irregular spots with Turing's three fields, with small spots inside, on a seamless canvas.
 fn wrap() -> String {
     json!({"format": "dapple", "version": 1, "size": [150, 150], "edges": "wrap", "seed": 9, "layers": [
         {"options": {"irregular": 0.6}, "strokes": [{"kind": "ellipse", "center": [60, 60], "radii": [11, 9]}]},
@@ -34,8 +35,8 @@ fn wrap() -> String {
     .to_string()
 }
 
-/// Commands that write a document's outputs. The first writes all that was grown, also concentrations; the others write more
-/// kinds of files.
+/// Commands that write the outputs of a document. The first one writes everything that was grown, concentrations too;
+/// the others write more kinds of files.
 const COMMANDS: [&str; 6] = [
     "grow a.dapple -o a.png --pattern p.png --labels l.png --concentrations c.exr --svg o.svg --dxf o.dxf \
      --material m --report r.json",
@@ -46,7 +47,7 @@ const COMMANDS: [&str; 6] = [
     "film a.dapple -o f.png --seconds 0.3 --fps 10 --side 64 --no-refine",
 ];
 
-/// The files that `commands` write for the document, without seconds.
+/// The files that `commands` write for the document, with the durations removed.
 fn outputs(document: &str, commands: &[&str], threads: usize, solver: &str) -> BTreeMap<String, Vec<u8>> {
     let folder = Folder::with(document);
     for command in commands {
@@ -74,8 +75,8 @@ fn same(as_usual: &BTreeMap<String, Vec<u8>>, others: &BTreeMap<String, Vec<u8>>
     assert!(differ.is_empty() && as_usual.len() == others.len(), "{who}: other bytes in {differ:?}");
 }
 
-/// Compares the outputs with one thread and the fastest solver: those of all `commands` with other numbers of threads, and
-/// those of the first with other solvers. Returns the names of the files.
+/// Compares the outputs with those of one thread and the fastest solver: the outputs of all `commands` for other
+/// numbers of threads, and those of the first command for other solvers. Returns the names of the files.
 fn any_threads_and_solvers(document: &str, commands: &[&str]) -> Vec<String> {
     let as_usual = outputs(document, commands, 1, "");
     for threads in [2, 4] {

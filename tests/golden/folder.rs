@@ -1,4 +1,4 @@
-//! A temporary folder for each growth, with all that `dapple` writes into it.
+//! A temporary folder for each growth, into which `dapple` writes.
 
 use assert_cmd::Command;
 use std::collections::BTreeMap;

@@ -1,8 +1,8 @@
 //! A document for each system that a document can name, and one with a tone, grown to the end and corrected.
 //!
-//! `kinds/NAME.dapple` is a small canvas. Every px of what grows is that of `kinds/NAME.png`, and every value of its pattern
-//! has the bits of which `patterns.txt` holds the hash. The list of systems is the program's own: a new system fails here
-//! until its document and its picture are there.
+//! `kinds/NAME.dapple` is a small canvas. Every px of its texture must equal that of `kinds/NAME.png`, and the values
+//! of its pattern must have the hash in `patterns.txt`. The list of systems is that of the program: a new system fails
+//! here until its document and picture exist.
 
 use crate::renew::{bits, golden, renews, same_lines};
 use crate::textures::compare_picture;
@@ -26,7 +26,7 @@ fn document(name: &str) -> Document {
     Document::read(golden(&format!("kinds/{name}.dapple"))).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// All that is grown here is grown by this function.
+/// Grows the document of this name; all growths of this test use this function.
 fn grown(name: &str) -> Grown {
     document(name).grow().unwrap_or_else(|error| panic!("{name}: {error}"))
 }

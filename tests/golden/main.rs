@@ -1,4 +1,5 @@
-//! Documents grow the same textures as before: by every system, with every solver, and from documents of every version.
+//! Checks that documents grow the same textures as before: with every system and every solver, and from documents of
+//! every version.
 //!
 //! `REGENERATE=1 cargo test --test golden -- --nocapture` rewrites changed files and prints the changes;
 //! docs/golden.md says when to do so.

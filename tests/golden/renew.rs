@@ -1,8 +1,8 @@
-//! Golden files: read, or rewritten on request.
+//! Reads golden files, or rewrites them on request.
 
 use std::path::{Path, PathBuf};
 
-/// Where the golden files are.
+/// The path of a golden file.
 pub fn golden(name: &str) -> PathBuf {
     [env!("CARGO_MANIFEST_DIR"), "tests", "golden", name].iter().collect()
 }
@@ -18,14 +18,14 @@ pub fn renew(name: &str, bytes: &[u8], changed: &str) {
     println!("tests/golden/{name}: {changed}");
 }
 
-/// The content of a golden text file; git may have checked it out with the line ends of the platform.
+/// The content of a golden text file, with unified line ends: git may have checked it out with those of the platform.
 pub fn text(path: &Path) -> String {
     let text = std::fs::read_to_string(path);
     text.unwrap_or_else(|error| panic!("{}: {error}; REGENERATE=1 writes it", path.display()))
         .replace("\r\n", "\n")
 }
 
-/// Compares a golden text with what is computed now, line by line.
+/// Compares a golden text with the newly computed one, line by line.
 #[track_caller]
 pub fn same_lines(name: &str, fresh: &str) {
     let file = golden(name);
@@ -48,26 +48,26 @@ pub fn same_lines(name: &str, fresh: &str) {
     );
 }
 
-/// The FNV-1a hash, 64 bits, of the values' bytes, the lowest first; then five of the values, the first and the last among
-/// them, as bits and number.
+/// The 64-bit FNV-1a hash of the bytes of the values, least significant byte first; then five of the values, among them
+/// the first and the last, as bits and as numbers.
 pub fn bits(values: &[f32]) -> String {
     let last = values.len() - 1;
     let few = [0, last / 4, last / 2, last / 4 * 3, last].map(|at| bits_of(values[at]));
     format!("{:016x} {}", fnv(values), few.join(" "))
 }
 
-/// One value as bits and number.
+/// One value as bits and as a number.
 pub fn bits_of(value: f32) -> String {
     format!("{:08x}={value:e}", value.to_bits())
 }
 
-/// FNV-1a, 64 bits, of the values' bytes, the lowest first.
+/// The 64-bit FNV-1a hash of the bytes of the values, least significant byte first.
 pub fn fnv(values: &[f32]) -> u64 {
     let bytes = values.iter().flat_map(|value| value.to_bits().to_le_bytes());
     bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }
 
-/// Writes the differing picture for inspection; returns its path.
+/// Writes a differing picture to a file for inspection; returns its path.
 pub fn kept(name: &str, bytes: &[u8]) -> String {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("golden");
     std::fs::create_dir_all(&folder).unwrap();

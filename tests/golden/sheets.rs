@@ -1,7 +1,7 @@
-//! The attributes of the golden documents when they are grown to the end: the stored ones, within the variation by seeds.
+//! Checks that the golden documents, grown to the end, have the stored attributes, within the variation between seeds.
 //!
-//! They are not compared bit for bit: solvers and training sets are improved, and the place of each mark depends on the last
-//! bit of the first step. The numbers are those of the report, region by region.
+//! The attributes are not compared bit for bit, because solvers and training sets are improved, and the place of each
+//! mark depends on the last bit of the first step. The numbers are those of the report, region by region.
 
 use crate::renew::{golden, renew, renews, text};
 use crate::textures::{document, names};
@@ -12,8 +12,8 @@ use dapple_engine::synth::Options;
 use dapple_engine::synth::layer_report::report;
 use serde_json::{Map, Value, json};
 
-/// Allowed difference from the stored value, relative or absolute. At most the largest change by six other seeds
-/// (docs/golden.md), and less where few marks change much.
+/// The allowed difference from the stored value, relative or absolute. It is at most the largest change by six other
+/// seeds (docs/golden.md), and less where a few marks change much.
 #[derive(Clone, Copy)]
 enum Allowed {
     Share(f64),
@@ -29,15 +29,15 @@ const ALLOWED: [(&str, Allowed); 8] = [
     ("aspect", Allowed::Difference(0.03)),
     ("angle", Allowed::Degrees(4.0)),
     ("marks", Allowed::Share(0.25)),
-    // How far a kept mark is off its place, ÷ its radius; a quarter is allowed in documents.
+    // The distance of a kept mark from its place, in radii; a quarter of a radius is allowed in documents.
     ("farthest", Allowed::Difference(0.1)),
 ];
-/// Difference in the number of marks that is always allowed.
+/// A difference in the number of marks that is always allowed.
 const FEW: f64 = 3.0;
-/// Above this aspect the direction of spots is random.
+/// The aspect above which the direction of spots is random.
 const ROUND: f64 = 0.75;
 
-/// The grown attributes of each layer, by region; numbers to four digits.
+/// The grown attributes of each layer, by region; numbers have four digits.
 fn sheet(document: &Document, name: &str) -> Value {
     let grown = Growth::begin(document, &Options { source: name, ..Options::default() }, None).run().unwrap();
     let report = json!(report(document, name, &grown, 0.0));
@@ -110,7 +110,7 @@ fn compare(at: &str, stored: &Value, grown: &Value) -> Vec<String> {
     }
 }
 
-/// Every value that has changed by a digit, printed when the sheets are renewed.
+/// Every value that has changed by a digit; printed when the sheets are renewed.
 fn changes(stored: &Value, grown: &Value, at: &str, output: &mut Vec<String>) {
     match (stored, grown) {
         (Value::Array(old), Value::Array(new)) if old.len() == new.len() => {
@@ -147,7 +147,7 @@ fn holds(names: &[String]) {
     assert!(wrong.is_empty(), "{}\nIf that is meant: REGENERATE=1", wrong.join("\n"));
 }
 
-// Two tests, which run in parallel.
+// Two separate tests, which run in parallel.
 #[test]
 fn textures_of_one_layer_have_the_stored_attributes() {
     let one: Vec<String> = names().into_iter().filter(|name| document(name).layers.len() == 1).collect();

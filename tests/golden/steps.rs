@@ -11,7 +11,7 @@ use dapple_engine::rd::pairs::{
 use dapple_engine::rd::{Growth, ParameterField, Parameters, System};
 use std::fmt::Write;
 
-/// Oblong cells.
+/// Width and height of the grid, in cells: not square.
 const CELLS: [u16; 2] = [48, 40];
 const STEPS: u64 = 20;
 const SEED: u64 = 11;
@@ -20,15 +20,15 @@ fn grid(edges: Edges) -> Grid {
     Grid { size: CELLS.map(usize::from), cell: [1.0, 0.95], edges }
 }
 
-/// Something that varies from cell to cell: `of` gets x and y, 0..1. Computed by plain arithmetic, which is the same on every
-/// machine.
+/// Values that vary from cell to cell: `of` gets x and y, 0..1. They are computed by plain arithmetic, which gives the
+/// same result on every machine.
 fn by_cell<T>(of: impl Fn([f32; 2]) -> T) -> Vec<T> {
     let [nx, ny] = CELLS;
     let place = |cell: u16| [f32::from(cell % nx) / f32::from(nx), f32::from(cell / nx) / f32::from(ny)];
     (0..nx * ny).map(|cell| of(place(cell))).collect()
 }
 
-/// Cells whose parameters all vary.
+/// Parameters that all vary from cell to cell.
 fn varying(system: System, edges: Edges) -> ParameterField {
     let rate = system.definition().usual_rate;
     let parameters = by_cell(|[x, y]| Parameters {
@@ -68,7 +68,8 @@ fn model(kind: PairKind) -> PairModel {
     }
 }
 
-/// Pairs `turned` by so many degrees each, whose directions and sizes vary, from noise.
+/// Pairs whose directions and sizes vary, each rotated by one of the angles `turned`, degrees, after some steps from
+/// noise.
 fn pairs_after_steps(model: &PairModel, turned: &[f32], blurs: Blurs, edges: Edges) -> Vec<Vec<f32>> {
     let pair = |turned: &f32| PairField {
         direction: by_cell(|[x, _]| turned + 40.0 * x),
@@ -86,8 +87,8 @@ fn pairs_after_steps(model: &PairModel, turned: &[f32], blurs: Blurs, edges: Edg
     growth.concentrations()
 }
 
-/// The concentrations of each chemical after the first steps; `None` of a choice that names no system, and where nothing reacts.
-/// A new kind of system must be added here.
+/// The concentrations of each chemical after the first steps; `None` for a choice that names no system, and for systems
+/// without a reaction. A new kind of system must be added here.
 fn first_steps(choice: SystemChoice, edges: Edges) -> Option<Vec<Vec<f32>>> {
     let kind = choice.kind()?;
     if let Some(system) = choice.system() {
@@ -111,7 +112,7 @@ fn first_steps(choice: SystemChoice, edges: Edges) -> Option<Vec<Vec<f32>>> {
         Family::Areas if choice.areas() == Some(AreaKind::Polygons) => {
             Some(pairs_after_steps(&polygons::model(), &[0.0], polygons::BLURS, edges))
         }
-        // Scattered points make these: `kinds` compares their patterns.
+        // These are made from scattered points; `kinds` compares their patterns.
         Family::Areas | Family::Lines | Family::Points | Family::Marks => None,
     }
 }

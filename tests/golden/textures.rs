@@ -1,8 +1,9 @@
 //! Documents for every system of [`System::ALL`], kind of edge and relation to a layer beneath, each with a picture of its
 //! first steps. `kinds` has the other systems.
 //!
-//! `textures/NAME.dapple` is grown for a short time and painted; every px is that of `textures/NAME.png`. Short, because
-//! the last bit of the first step determines the final places of marks: `sheets` compares attributes after long runs.
+//! `textures/NAME.dapple` is grown for a short time and painted; every px must equal that of `textures/NAME.png`. The
+//! time is short because the last bit of the first step determines the final places of marks; `sheets` compares
+//! attributes after long runs.
 //!
 //! Of the first four systems every combination has a document ([`COMPLETE`]). Of each later system those that
 //! [`sample`] chooses are enough: every pair of system, kind of edge and relation to a layer beneath occurs once.
@@ -20,13 +21,13 @@ use std::io::Cursor;
 /// Normalised time for which the top layer grows; spots settle after 15 to 20, stripes after 30.
 const TIME: f64 = 2.0;
 
-/// Systems of which every combination has a document; later ones are sampled.
+/// Systems for which every combination has a document. Other systems are sampled.
 const COMPLETE: [&str; 4] = ["turing-spots", "meinhardt-spots", "meinhardt-stripes", "meinhardt-lines"];
 
-/// Documents beyond the combinations: several regions, marks that differ.
+/// Documents in addition to the combinations: several regions, marks that differ.
 const MORE: [&str; 2] = ["regions-spots", "regions-stripes"];
 
-/// Whether such a layer exists; `None` = with nothing beneath. A new `after` must be added here.
+/// Whether such a layer exists; `None` = a layer with nothing beneath it. A new `after` must be added here.
 fn exists(after: Option<After>, system: System) -> bool {
     let system = system.description();
     match after {
@@ -36,7 +37,7 @@ fn exists(after: Option<After>, system: System) -> bool {
     }
 }
 
-/// The name that documents use. A new kind must be added here, and to [`ALL_EDGES`].
+/// The name of these edges in documents. A new kind must be added here, and to [`ALL_EDGES`].
 fn word(edges: Edges) -> &'static str {
     match edges {
         Edges::Closed => "closed",
@@ -168,7 +169,7 @@ fn a_texture_without_a_document_is_refused() {
     }
 }
 
-/// Red, green, blue of each px when the top layer has grown for [`TIME`].
+/// Red, green, blue of each px after the top layer has grown for [`TIME`].
 fn young(name: &str) -> ([usize; 2], Vec<u8>) {
     let document = document(name);
     let size = document.size.map(|side| side as usize);
@@ -191,7 +192,7 @@ fn png([width, height]: [usize; 2], rgb: &[u8]) -> Vec<u8> {
     bytes.into_inner()
 }
 
-/// The number of px that differ and the largest difference; `None` if none does.
+/// The number of px that differ, and the largest difference; `None` if none differ.
 fn differ(stored: Option<&image::RgbImage>, [width, height]: [usize; 2], rgb: &[u8]) -> Option<String> {
     let Some(stored) = stored else { return Some("is new".to_owned()) };
     if stored.dimensions() != (width as u32, height as u32) {
@@ -204,7 +205,7 @@ fn differ(stored: Option<&image::RgbImage>, [width, height]: [usize; 2], rgb: &[
     Some(format!("{} of {} px differ, by {most} of 255 at most", off.len(), width * height))
 }
 
-/// Compares a picture with `FOLDER/NAME.png`, or renews that; returns the difference.
+/// Compares a picture with `FOLDER/NAME.png`, or renews that file; returns the difference.
 pub fn compare_picture(folder: &str, name: &str, size: [usize; 2], rgb: &[u8]) -> Option<String> {
     let file = format!("{folder}/{name}.png");
     let stored = image::open(golden(&file)).ok().map(|picture| picture.to_rgb8());
@@ -217,7 +218,7 @@ pub fn compare_picture(folder: &str, name: &str, size: [usize; 2], rgb: &[u8]) -
     Some(format!("tests/golden/{file}: {what}; {grown} has what grew"))
 }
 
-/// Grows each for a short time; returns the differences.
+/// Grows each document for a short time; returns the differences.
 fn compare(names: &[String]) -> Vec<String> {
     let compared = names.iter().filter_map(|name| {
         let (size, rgb) = young(name);

@@ -1,7 +1,7 @@
-//! Documents of every version, as they were written at the time: they open, keep their meaning, and grow.
+//! Checks documents of every version, in their original form: they can be opened, keep their meaning, and grow.
 //!
-//! `versions/VERSION-WHAT.dapple`; those with a name in them are taken from this repository's history as they were first
-//! committed. They are never edited: a version that can no longer be read needs a migration, not another file.
+//! `versions/VERSION-WHAT.dapple`; those with a name are from this repository's history, as they were first committed.
+//! They are never edited: a version that can no longer be read needs a migration, not another file.
 
 use crate::folder::Folder;
 use crate::renew::golden;
@@ -12,7 +12,7 @@ use dapple_engine::synth::Options;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
-/// The version that is written.
+/// The version that dapple writes.
 fn newest() -> u64 {
     let written: Value = serde_json::from_str(&all()[0].1.to_json()).unwrap();
     written["version"].as_u64().unwrap()
@@ -64,13 +64,13 @@ fn lost(at: &str, read: &Value, written: &Value) -> Vec<String> {
 }
 
 #[test]
-fn what_a_document_says_is_kept_when_it_is_written() {
+fn the_content_of_a_document_is_kept_when_it_is_written() {
     for (file, document) in all() {
         let read: Value = serde_json::from_slice(&std::fs::read(&file).unwrap()).unwrap();
         let written: Value = serde_json::from_str(&document.to_json()).unwrap();
         let mut lost = lost("", &read, &written);
         if read["version"] == json!(1) {
-            // Open freehand strokes were lines.
+            // Open freehand strokes were lines in that version.
             let migrated =
                 [".version", ".layers.strokes.kind: \"freehand\" → \"line\"", ".layers.strokes.points"];
             lost.retain(|lost| !migrated.iter().any(|start| lost.starts_with(start)));
@@ -107,7 +107,7 @@ fn a_document_of_a_later_version_is_refused_with_the_remedy() {
     for word in ["new.dapple", &format!("version: found {later}"), "newer dapple reads it"] {
         assert!(output.contains(word), "{word} in {output}");
     }
-    // The same through the command line.
+    // The same check through the command line.
     let folder = Folder::with(&text.to_string());
     for command in ["check a.dapple", "grow a.dapple -o a.png", "film a.dapple -o a.gif"] {
         let message = folder.refused(command);

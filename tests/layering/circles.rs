@@ -1,4 +1,4 @@
-//! No circle of imports within a room.
+//! Checks that there is no circle of imports within a room.
 //!
 //! Of two modules with the same parent, each with everything below it, only one may import from the other, directly or
 //! through further such modules. A parent and the modules below it may import from each other. Re-exports are
@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, VecDeque};
 use crate::scan::{Scan, scan};
 use crate::sources::{is_test, module, sources};
 
-/// The stages of `synth`: each knows only the ones before it.
+/// The stages of `synth`: each imports only from the ones before it.
 const STAGES: [&str; 13] = [
     "passes", "report", "kind", "marks", "pairs", "areas", "lines", "points", "tone", "body", "layer",
     "growth", "render",
@@ -21,10 +21,11 @@ type Module = Vec<String>;
 /// The imports between the modules of one parent: from → to → the places of the imports.
 type Imports = BTreeMap<String, BTreeMap<String, Vec<String>>>;
 
-/// The sources of each crate, and whether its top modules are rooms, between which `rooms` checks the imports.
+/// The sources of each crate, and whether its top modules are rooms. The imports between rooms are checked by `rooms`.
 const CRATES: [(&str, bool); 2] = [("src/", true), ("data-gen/src/", false)];
 
-/// Every circle, of every parent at or below a room; empty when there is none. One circle per parent and first module.
+/// Every circle below a room, for every parent; empty where there is none. Only one circle is listed for each parent
+/// and first module.
 pub fn circles(files: &[(String, String)]) -> Vec<String> {
     let mut circles = Vec::new();
     for (parent, imports) in CRATES.iter().flat_map(|source| House::new(files, *source).imports()) {
@@ -51,7 +52,7 @@ struct House {
 
 impl House {
     fn new(files: &[(String, String)], (source, has_rooms): (&str, bool)) -> Self {
-        // `main.rs` is a crate of its own, which nothing can import from.
+        // `main.rs` is a separate crate, from which nothing can be imported.
         let is_of_crate = |file: &str| file.strip_prefix(source).is_some_and(|file| file != "main.rs");
         let program = files.iter().filter(|(file, _)| is_of_crate(file) && !is_test(&module(file)));
         let scanned = program.map(|(file, source)| {
@@ -68,7 +69,7 @@ impl House {
             for named in scan.paths.iter().filter(|named| !named.in_tests && named.path[0] == "crate") {
                 let Some(to) = self.resolve(&named.path[1..], 0) else { continue };
                 let shared = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
-                // Between rooms, which `rooms` checks; or between a parent and its modules.
+                // Imports between rooms are checked by `rooms`; imports between a parent and its modules are allowed.
                 if shared == 0 && self.has_rooms || shared == from.len() || shared == to.len() {
                     continue;
                 }
@@ -81,12 +82,12 @@ impl House {
         all
     }
 
-    /// The module of the file that defines `path` (below the root); `None` if it is no file of the program.
+    /// The module of the file that defines `path` (below the root); `None` if this is not a file of the program.
     fn resolve(&self, path: &[String], depth: usize) -> Option<Module> {
         let known = (0..=path.len()).rev().find(|&end| self.files.contains_key(&path[..end]))?;
         let (_, scan) = &self.files[&path[..known]];
         let re_exported = path.get(known).and_then(|name| scan.bound.get(name));
-        // A name that refers to itself (an inline module), or re-exports in a circle.
+        // This is a name that refers to itself (an inline module), or a circle of re-exports.
         match re_exported.filter(|full| full[1..] != path[..=known] && depth < 16) {
             Some(full) => {
                 let path: Vec<String> = full[1..].iter().chain(&path[known + 1..]).cloned().collect();
@@ -138,14 +139,14 @@ fn no_circle_of_imports_within_a_room() {
 }
 
 #[test]
-fn the_stages_of_synth_know_only_those_before_them() {
+fn the_stages_of_synth_import_only_from_those_before_them() {
     let all = House::new(&sources(), CRATES[0]).imports();
     let stage = |name: &str| STAGES.iter().position(|stage| *stage == name);
     let mut found = 0;
     for (from, imports) in &all[&vec!["synth".to_owned()]] {
         for (to, places) in imports {
             if let (Some(a), Some(b)) = (stage(from), stage(to)) {
-                assert!(b < a, "{from} must not know {to}:\n    {}", places.join("\n    "));
+                assert!(b < a, "{from} must not import from {to}:\n    {}", places.join("\n    "));
                 found += 1;
             }
         }
@@ -171,7 +172,7 @@ mod the_check_itself {
     }
 
     #[test]
-    fn prints_a_circle_with_the_places_of_its_imports() {
+    fn a_circle_is_printed_with_the_places_of_its_imports() {
         let files = [
             ("src/rd/a.rs", "use super::b::B;"),
             ("src/rd/b.rs", "\nfn f() { crate::rd::c::g() }"),
@@ -183,7 +184,7 @@ mod the_check_itself {
     }
 
     #[test]
-    fn follows_re_exports_aliases_and_modules_imported_by_name() {
+    fn re_exports_aliases_and_modules_imported_by_name_are_followed() {
         let re_exported = [
             ("src/rd/mod.rs", "mod a; mod b; pub use a::A; pub(crate) use self::b::deep::{B as C};"),
             ("src/rd/a.rs", "use super::C;"),
@@ -206,7 +207,7 @@ mod the_check_itself {
     }
 
     #[test]
-    fn sees_circles_between_folders_and_below_them() {
+    fn circles_between_folders_and_below_them_are_found() {
         let between = [
             ("src/synth/plan/a.rs", "use crate::synth::grow::x::X;"),
             ("src/synth/plan/b.rs", ""),
@@ -220,7 +221,7 @@ mod the_check_itself {
     }
 
     #[test]
-    fn sees_circles_between_the_top_modules_of_data_gen_which_has_no_rooms() {
+    fn circles_between_the_top_modules_of_data_gen_which_has_no_rooms_are_found() {
         let files = [
             ("data-gen/src/lib.rs", "mod a; mod b; use a::A;"),
             ("data-gen/src/main.rs", "fn main() { data_gen::main() }"),
@@ -231,7 +232,7 @@ mod the_check_itself {
     }
 
     #[test]
-    fn lets_parents_their_modules_tests_and_other_rooms_pass() {
+    fn imports_of_parents_their_modules_tests_and_other_rooms_pass() {
         let allowed = [
             ("src/rd/mod.rs", "pub mod a; pub mod b; pub use a::A; use crate::grid::G; fn f() { b::g() }"),
             ("src/rd/a.rs", "use super::f; use super::b; mod tests { use super::*; }"),

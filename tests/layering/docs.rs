@@ -1,9 +1,9 @@
-//! The first sentence of each doc comment says what the item is, without the item above it: in lists of items and in an editor's
-//! tooltips it stands alone.
+//! Checks that the first sentence of each doc comment says what the item is, without referring to the item above it. In
+//! lists of items and in tooltips of editors, the sentence is shown alone.
 
 use crate::sources::sources;
 
-/// First words of a sentence that leans on another text.
+/// First words of a sentence that can only be understood together with another text.
 const LEANING: [&str; 6] = ["The same", "As", "See", "Those", "That of", "And"];
 
 /// The first paragraph of each doc comment, with the number of its first line, counted from 1.

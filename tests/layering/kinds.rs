@@ -1,4 +1,4 @@
-//! Kinds of layer are told apart in one file: the list of the kinds.
+//! Checks that kinds of layer are distinguished in only one file: the list of the kinds.
 
 use crate::sources::sources;
 
@@ -6,7 +6,7 @@ use crate::sources::sources;
 const LIST: &str = "src/engine/synth/layer.rs";
 /// The enums that the list defines.
 const ENUMS: [&str; 4] = ["LayerKind::", "LayerPlan::", "LayerGrowth::", "GrownLayer::"];
-/// The folders of the kinds, and where each of their names may stand.
+/// The folders of the kinds, and the files in which each of their names may occur.
 const KINDS: [(&str, &str); 6] = [
     ("Tone", "src/engine/synth/tone/"),
     ("Pairs", "src/engine/synth/pairs/"),
@@ -15,9 +15,9 @@ const KINDS: [(&str, &str); 6] = [
     ("Points", "src/engine/synth/points/"),
     ("Marks", "src/engine/synth/marks/"),
 ];
-/// What asks a document which kind of layer it asks for.
+/// Calls that ask a document for the kind of a layer.
 const ASKED: [&str; 5] = [".pairs(index)", ".is_driven()", ".areas()", ".point_lines()", ".point_field()"];
-/// Files that make something of plans and of grown layers, of whatever kind they are.
+/// Files that work on plans and on grown layers of any kind.
 const ASKING_NOTHING: [&str; 9] = [
     "src/engine/synth/growth",
     "src/engine/synth/estimate.rs",
@@ -44,14 +44,14 @@ fn told_apart(source: &str) -> Vec<String> {
 }
 
 #[test]
-fn nothing_outside_the_list_tells_kinds_of_layer_apart() {
+fn no_file_but_the_list_distinguishes_kinds_of_layer() {
     for (file, source) in sources().iter().filter(|(file, _)| file.starts_with("src/") && file != LIST) {
         assert_eq!(told_apart(source), [""; 0], "{file}: ask the plan or the grown layer instead");
     }
 }
 
 #[test]
-fn what_is_made_of_plans_and_grown_layers_does_not_ask_which_kind_they_are() {
+fn files_that_work_on_layers_of_any_kind_do_not_ask_for_their_kind() {
     let mut seen = 0;
     for (file, source) in sources() {
         if ASKING_NOTHING.iter().any(|place| file.starts_with(place)) {
@@ -76,7 +76,7 @@ fn each_kind_of_layer_is_a_folder_and_one_line_of_the_list() {
 }
 
 #[test]
-fn the_check_itself_finds_a_kind_that_is_told_apart() {
+fn the_check_itself_finds_a_kind_that_is_distinguished() {
     let found = told_apart("fn f(l: &GrownLayer) -> bool { matches!(l, GrownLayer::Marks(_)) }");
     assert_eq!(found, ["GrownLayer::Marks"]);
     assert_eq!(

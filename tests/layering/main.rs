@@ -1,6 +1,6 @@
-//! Checks the module structure (described at the head of `src/lib.rs`): which room may import from which, no circles within
-//! a room, what the engine must do without, where each outside package may be used, which files may be at the top of the tree,
-//! whether docs stand alone, and that no test sleeps.
+//! Checks the module structure (described at the head of `src/lib.rs`): which room may import from which, that there
+//! are no circles within a room, what the engine must not use, where each external package may be used, which files may
+//! be at the top of the tree, whether docs can be understood alone, and that no test sleeps.
 
 mod circles;
 mod docs;
@@ -38,7 +38,7 @@ const TOP: [&str; 14] = [
 
 #[test]
 fn the_top_of_the_tree_holds_only_what_belongs_there() {
-    // Only files that git tracks: users may leave pictures here.
+    // Only files that git tracks are checked: users may keep pictures here.
     let listed = Command::new("git").args(["ls-files", "-z"]).current_dir(root()).output();
     let Some(listed) = listed.ok().filter(|output| output.status.success()) else {
         eprintln!("NOT CHECKED: no git, or no repository");

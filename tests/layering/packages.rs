@@ -1,4 +1,4 @@
-//! Where each outside package may be used, and which packages a build contains.
+//! Where each external package may be used, and which packages a build contains.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -8,8 +8,8 @@ use std::process::Command;
 use crate::scan::scan;
 use crate::sources::{ENGINE, module, root, sources};
 
-/// Where each outside package may be named, by the beginning of the file's path. Tests beside the code may
-/// name any.
+/// The paths, or beginnings of paths, in which each external package may be named. Tests inside source files may name
+/// any package.
 pub const ADDRESSES: [(&str, &[&str]); 42] = [
     ("ab_glyph", &["src/cli/sheet/"]),
     (
@@ -103,7 +103,7 @@ const EVERYWHERE: [&str; 7] = ["libm", "multiversion", "rand", "rand_pcg", "rayo
 const MANIFESTS: [(&str, &str); 3] =
     [("Cargo.toml", "src/"), ("src/engine/Cargo.toml", ENGINE), ("data-gen/Cargo.toml", "data-gen/src/")];
 
-/// The packages that a manifest names as dependencies, as code names them; those of tests are left out.
+/// The packages that a manifest names as dependencies, in the spelling of code; those for tests are left out.
 pub fn dependencies(manifest: &str) -> Vec<String> {
     let text = fs::read_to_string(root().join(manifest)).expect("the manifest can be read");
     let mut section = "";
@@ -138,7 +138,7 @@ fn every_dependency_is_named_in_its_package() {
 }
 
 #[test]
-fn every_package_has_an_address() {
+fn every_package_has_a_list_of_places() {
     for (manifest, _) in MANIFESTS {
         for name in dependencies(manifest) {
             let known =
@@ -149,7 +149,7 @@ fn every_package_has_an_address() {
 }
 
 #[test]
-fn every_address_is_used() {
+fn every_place_of_a_package_is_used() {
     let sources = sources();
     for (package, places) in ADDRESSES {
         for place in places {
@@ -210,7 +210,7 @@ fn the_command_line_builds_without_the_window() {
 }
 
 #[test]
-fn the_library_alone_brings_no_command_line_and_no_window() {
+fn the_library_alone_contains_no_command_line_and_no_window() {
     let build = ["-p", "dapple", "--no-default-features"];
     assert_without(&build, &["dapple", "rayon"], &[&OF_THE_WINDOW[..], &OF_THE_COMMAND_LINE].concat());
 }

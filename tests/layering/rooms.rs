@@ -4,34 +4,34 @@ use crate::packages::ADDRESSES;
 use crate::scan::{Named, scan, words};
 use crate::sources::{ENGINE, module, sources};
 
-/// The ground: basic types; each imports only from the ones before it.
-const GROUND: [&str; 4] = ["grid", "surface", "marks", "attributes"];
-/// Import from the ground, not from each other.
+/// The base: basic types; each room imports only from the ones before it.
+const BASE: [&str; 4] = ["grid", "surface", "marks", "attributes"];
+/// These rooms import from the base, not from each other.
 const STEPS: [&str; 7] = ["sketch", "measure", "learn", "rd", "points", "colour", "export"];
-/// Import from ground and steps; each only from the ones before it.
-const THREAD: [&str; 3] = ["photo", "document", "synth"];
-/// The shell's rooms below the doors. They import from the engine; each only from the ones before it.
+/// The pipeline: these rooms import from base and steps, and each only from the ones before it.
+const PIPELINE: [&str; 3] = ["photo", "document", "synth"];
+/// The rooms of the shell below the entry points. They import from the engine; each only from the ones before it.
 const SHELL: [&str; 3] = ["machine", "files", "editor"];
-/// Import from everything; nothing imports from them, except that the command line opens the window.
-const DOORS: [&str; 2] = ["cli", "app"];
+/// The entry points import from everything. Nothing imports from them, except that the command line opens the window.
+const ENTRY_POINTS: [&str; 2] = ["cli", "app"];
 
-/// The window's package.
+/// The package of the window.
 const WINDOW: &str = "egui";
-/// Files in which that word may occur at all.
+/// The only files in which the name of that package may occur.
 const WINDOW_FILES: [&str; 4] = ["src/app/", "src/cli/", "src/lib.rs", "src/main.rs"];
 
 fn may_know(room: &str, other: &str) -> bool {
     let place = |rooms: &[&str], name| rooms.iter().position(|&room| room == name);
-    let ground = GROUND.contains(&other);
-    let below_thread = ground || STEPS.contains(&other);
-    let engine = below_thread || THREAD.contains(&other);
+    let base = BASE.contains(&other);
+    let below_pipeline = base || STEPS.contains(&other);
+    let engine = below_pipeline || PIPELINE.contains(&other);
     let below_doors = engine || SHELL.contains(&other);
     match room {
         _ if room == other => true,
-        _ if GROUND.contains(&room) => ground && place(&GROUND, other) < place(&GROUND, room),
-        _ if STEPS.contains(&room) => ground,
-        _ if THREAD.contains(&room) => {
-            below_thread || THREAD.contains(&other) && place(&THREAD, other) < place(&THREAD, room)
+        _ if BASE.contains(&room) => base && place(&BASE, other) < place(&BASE, room),
+        _ if STEPS.contains(&room) => base,
+        _ if PIPELINE.contains(&room) => {
+            below_pipeline || PIPELINE.contains(&other) && place(&PIPELINE, other) < place(&PIPELINE, room)
         }
         _ if SHELL.contains(&room) => {
             engine || SHELL.contains(&other) && place(&SHELL, other) < place(&SHELL, room)
@@ -52,14 +52,14 @@ fn complaints(file: &str, source: &str) -> Vec<String> {
         if first == "crate" {
             let room = module.first()?;
             return (!in_data_gen && !may_know(room, second))
-                .then(|| format!("{room} must not know {second}"));
+                .then(|| format!("{room} must not import from {second}"));
         }
-        if first == "dapple" && DOORS.contains(&second) == in_data_gen {
+        if first == "dapple" && ENTRY_POINTS.contains(&second) == in_data_gen {
             return Some(format!("{second} is not for {file}"));
         }
         let (_, places) = ADDRESSES.iter().find(|(package, _)| *package == first)?;
         let at_home = named.in_tests || places.iter().any(|place| file.starts_with(place));
-        (!at_home).then(|| format!("{first} lives only in {}", places.join(", ")))
+        (!at_home).then(|| format!("{first} may only be used in {}", places.join(", ")))
     };
     let output = |named: &Named| {
         Some(format!("{file}:{}: `{}`: {}", named.line, named.path.join("::"), wrong(named)?))
@@ -68,7 +68,7 @@ fn complaints(file: &str, source: &str) -> Vec<String> {
 }
 
 #[test]
-fn rooms_know_only_what_the_map_allows() {
+fn rooms_import_only_from_the_rooms_that_the_map_allows() {
     let sources = sources();
     let complaints: Vec<_> = sources.iter().flat_map(|(file, source)| complaints(file, source)).collect();
     assert!(complaints.is_empty(), "\n{}\n", complaints.join("\n"));
@@ -78,7 +78,7 @@ fn rooms_know_only_what_the_map_allows() {
 fn every_source_file_is_in_a_room_of_the_map() {
     for (file, _) in sources().iter().filter(|(file, _)| file.starts_with("src/")) {
         let rooms: &[&[&str]] =
-            if file.starts_with(ENGINE) { &[&GROUND, &STEPS, &THREAD] } else { &[&SHELL, &DOORS] };
+            if file.starts_with(ENGINE) { &[&BASE, &STEPS, &PIPELINE] } else { &[&SHELL, &ENTRY_POINTS] };
         let known = |room: &&str| rooms.iter().any(|rooms| rooms.contains(room));
         let module = module(file);
         assert!(
@@ -100,7 +100,7 @@ fn the_window_is_named_only_where_it_opens() {
 }
 
 #[test]
-fn unsafe_code_stands_only_in_the_solvers() {
+fn unsafe_code_is_only_in_the_solvers() {
     for (file, source) in sources().iter().filter(|(file, _)| !file.starts_with("src/engine/rd/")) {
         let line = words(source).find(|(_, word)| word == "unsafe").map(|(line, _)| line);
         assert_eq!(line, None, "{file}: `unsafe` stands in src/engine/rd only");
@@ -116,7 +116,7 @@ mod the_scan_itself {
     }
 
     #[test]
-    fn spreads_groups_and_follows_self_and_super() {
+    fn groups_are_expanded_and_self_and_super_are_followed() {
         let source = "use crate::{a, b::{self, c as d}, e::*};\nuse super::{super::f, g};\nuse self::h;";
         let expected = [
             "crate::a",
@@ -136,7 +136,7 @@ mod the_scan_itself {
     }
 
     #[test]
-    fn sees_paths_in_running_code() {
+    fn paths_in_expressions_are_found() {
         let source = "fn f(x: &crate::learn::Row) -> Vec<crate::rd::P> { $crate::synth::g::<::spade::Q>(x.crate_learn) }";
         assert_eq!(
             named("src/engine/grid/field.rs", source),
@@ -145,7 +145,7 @@ mod the_scan_itself {
     }
 
     #[test]
-    fn passes_over_comments_strings_and_characters() {
+    fn comments_strings_and_characters_are_skipped() {
         let source = r####"
             //! crate::app::A
             /* crate::app::B /* crate::app::C */ crate::app::D */
@@ -189,7 +189,7 @@ mod the_scan_itself {
     }
 
     #[test]
-    fn lets_what_is_allowed_pass() {
+    fn allowed_imports_pass() {
         let allowed = [
             (
                 "src/engine/attributes/spacing/delaunay.rs",

@@ -8,11 +8,11 @@ use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 /// A path that a source file names.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Named {
-    /// Counted from 1.
+    /// The number of the line, counted from 1.
     pub line: usize,
-    /// The path from the crate's root (`crate`, room, …), or from an outside package (its name, …).
+    /// The path from the root of the crate (`crate`, room, …), or from an external package (its name, …).
     pub path: Vec<String>,
-    /// Whether it stands in a module called `tests`.
+    /// Whether the path is in a module called `tests`.
     pub in_tests: bool,
 }
 
@@ -29,12 +29,12 @@ impl Token {
     }
 }
 
-/// What a source file names.
+/// The paths that a source file names.
 #[derive(Debug)]
 pub struct Scan {
     /// Every path of two or more names, and every `use`.
     pub paths: Vec<Named>,
-    /// Names that a `mod` or a `use` outside tests binds, with the full path of what each stands for.
+    /// Names that a `mod` or a `use` outside tests brings in, with the full path of each.
     pub bound: BTreeMap<String, Vec<String>>,
 }
 
@@ -55,7 +55,7 @@ pub fn scan(source: &str, module: &[&str]) -> Scan {
         let stands_for = all.get(&path[0]).filter(|stands_for| stands_for[0] == "crate")?;
         Some(stands_for.iter().chain(&path[1..]).cloned().collect())
     };
-    // A name that the file binds to an item of the crate is no package, even if a package has the same name.
+    // A name that the file binds to an item of the crate is not a package, even if a package has the same name.
     for named in &mut found {
         if let Some(full) = expanded(&named.path) {
             named.path = full;
@@ -126,7 +126,7 @@ impl Reader {
         }
     }
 
-    /// `a::b::c` in running code.
+    /// A path `a::b::c` in code outside `use`.
     fn inline_path(&mut self) {
         let line = self.tokens[self.at].line;
         let before = |back: usize| self.at.checked_sub(back).map(|i| self.tokens[i].text.as_str());
@@ -144,7 +144,7 @@ impl Reader {
         }
     }
 
-    /// The part after `use`, or after a `{` or `,` within it: `prefix` is the path before the braces.
+    /// The part after `use`, or after a `{` or `,` within it. `prefix` is the path before the braces.
     fn use_tree(&mut self, prefix: &[String]) {
         let mut path = prefix.to_vec();
         let mut alias = None;
@@ -182,7 +182,7 @@ impl Reader {
         }
     }
 
-    /// Outside tests a name is bound to its last path; tests never rebind a name.
+    /// Outside tests, a name is bound to its last path; tests never rebind a name.
     fn bind(&mut self, path: &[String], name: String) {
         let full = self.full(path);
         if self.in_tests() {
@@ -198,7 +198,7 @@ impl Reader {
         }
     }
 
-    /// The path from the root where it begins with `crate`, `self` or `super`; any other path as it is.
+    /// The path from the root where it begins with `crate`, `self` or `super`; any other path unchanged.
     fn full(&self, path: &[String]) -> Vec<String> {
         let mut full = match path[0].as_str() {
             "crate" => Vec::new(),

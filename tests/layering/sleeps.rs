@@ -1,5 +1,5 @@
-//! No test waits for a fixed time: it is too long on a fast machine and too short on a slow one. Tests wait for a message, the
-//! end of a program, or a condition, with a limit.
+//! Checks that no test waits for a fixed time, which is too long on a fast machine and too short on a slow one. Tests
+//! wait for a message, the end of a program, or a condition, with a time limit.
 
 use crate::scan::{Named, scan};
 use crate::sources::{files_in, is_test, module, sources};

@@ -37,11 +37,12 @@ fn name_of(path: &Path) -> String {
     parts.map(|part| part.to_str().expect("names are UTF-8")).collect::<Vec<_>>().join("/")
 }
 
-/// Where the engine's sources are.
+/// The folder of the engine's sources.
 pub const ENGINE: &str = "src/engine/";
 
-/// `src/rd/turing.rs` → `["rd", "turing"]`; the roots → `[]`. The rooms of the engine and those of the shell have one list of
-/// names: the shell brings the engine's rooms in by their names, so that `crate::rd` is the same in both.
+/// The module path of a file: `src/rd/turing.rs` → `["rd", "turing"]`; the roots → `[]`. The rooms of the engine and
+/// those of the shell have one list of names: the shell re-exports the engine's rooms under their names, so that
+/// `crate::rd` is the same in both.
 pub fn module(file: &str) -> Vec<&str> {
     let inside =
         file.trim_start_matches("data-gen/").trim_start_matches("src/").trim_start_matches("engine/");

@@ -1,4 +1,5 @@
-//! Reaction-diffusion systems are named only in their own files. Other code asks for properties of a system.
+//! Checks that reaction-diffusion systems are named only in their own files. Other code asks for properties of a
+//! system.
 
 use crate::sources::{is_test, module, sources};
 
@@ -11,7 +12,7 @@ const MAY_NAME: [&str; 5] = [
     "data-gen/src/route.rs",
 ];
 
-/// The lines of a file that name a system, from 1; tests and comments are left out.
+/// The lines of a file that name a system, counted from 1; tests and comments are left out.
 fn named(source: &str) -> Vec<usize> {
     let program = source.split("#[cfg(test)]").next().unwrap_or(source);
     let names = |line: &str| {

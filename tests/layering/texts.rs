@@ -1,5 +1,6 @@
-//! All texts of the window and of the command line in one list, to be read at once: `cargo test --test layering texts` writes it to
-//! `target/tmp/texts.txt`. Words that only a developer of dapple would understand are not among them.
+//! All texts of the window and of the command line in one list, to be read at once: `cargo test --test layering texts`
+//! writes it to `target/tmp/texts.txt`. The test also checks that they contain no words that only a developer of dapple
+//! would understand.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -19,7 +20,7 @@ const FOLDERS: [&str; 10] = [
 ];
 
 /// Words and phrases that a stranger does not understand at first sight, and what to write instead.
-const UNCLEAR: [(&str, &str); 22] = [
+const UNCLEAR: [(&str, &str); 26] = [
     ("in the middle of the canvas", "at centre"),
     ("sketch the next", "start the next"),
     ("take the layer", "select layer"),
@@ -42,6 +43,10 @@ const UNCLEAR: [(&str, &str); 22] = [
     ("beyond what this system", "cannot be grown together"),
     ("take this file away", "remove this file"),
     ("stands there", "is there"),
+    ("expected sizes", "sizes and directions between marks"),
+    ("lowest, auto", "automatic"),
+    ("with their moments", "of the ellipses fitted to the marks"),
+    ("share as drawn", "stripe width as drawn"),
 ];
 
 /// The Rust files below a folder, without tests, in order.

@@ -1,13 +1,14 @@
-//! The engine asks for nothing: no files, clock, processes, environment, threads of its own, network or terminal.
+//! Checks that the engine asks the system for nothing: no files, clock, processes, environment, threads of its own,
+//! network or terminal.
 //!
-//! It reads bytes and writes to any writer; memory, clocks and threads are brought by its caller. The shell in turn takes
-//! time and threads from one folder.
+//! It reads bytes and writes to any writer; its caller provides memory limits, clocks and threads. The shell in turn
+//! takes time and threads from one folder.
 
 use crate::packages::{OF_THE_COMMAND_LINE, OF_THE_WINDOW, assert_without, dependencies};
 use crate::scan::{Scan, scan, words};
 use crate::sources::{ENGINE, is_test, module, sources};
 
-/// What the engine may not name. A path stands for all that begins with it.
+/// Paths that the engine may not name. A path stands for all paths that begin with it.
 const FORBIDDEN: [&[&str]; 15] = [
     &["std", "fs"],
     &["std", "process"],
@@ -25,9 +26,9 @@ const FORBIDDEN: [&[&str]; 15] = [
     &["tempfile"],
     &["sysinfo"],
 ];
-/// What it may name of the time: a length of it.
+/// The only item of `std::time` that it may name: a length of time.
 const TIME: &str = "Duration";
-/// Words that it may not use: macros that write to the terminal, and questions that a path asks the disk.
+/// Words that it may not use: macros that write to the terminal, and methods by which a path asks the disk.
 const WORDS: [&str; 12] = [
     "println",
     "eprintln",
@@ -47,10 +48,10 @@ const PACKAGES: [&str; 6] = ["tempfile", "sysinfo", "rustix", "web_time", "dappl
 
 /// The folder of the shell that asks the system for the time, for threads and for files.
 const MACHINE: &str = "src/machine/";
-/// What only that folder may name.
+/// Paths that only that folder may name.
 const OF_THE_MACHINE: [&[&str]; 3] =
     [&["std", "thread"], &["rayon", "ThreadPoolBuilder"], &["rayon", "spawn"]];
-/// What the rooms that are built for a browser, too, may name no more than those: files there are in memory.
+/// Paths that only that folder may name in rooms that are also built for a browser, where files are kept in memory.
 const OF_SYSTEMS: [&[&str]; 4] =
     [&["std", "fs"], &["tempfile"], &["image", "open"], &["image", "ImageReader", "open"]];
 
@@ -68,7 +69,7 @@ fn complaints(file: &str, source: &str) -> Vec<String> {
     if is_test(&module(file)) {
         return Vec::new();
     }
-    // What follows the first of these lines is for tests alone.
+    // The code after the first of these lines is only for tests.
     let program = source.lines().position(|line| line.contains("#[cfg(test)]")).unwrap_or(usize::MAX);
     let of_words = words(source)
         .filter(|(line, word)| *line <= program && WORDS.contains(&word.as_str()))
@@ -83,7 +84,7 @@ fn forbidden_paths(file: &str, source: &str, forbidden: &[&[&str]]) -> Vec<Strin
         return Vec::new();
     }
     let Scan { paths, bound } = scan(source, &module);
-    // A name that the file imports stands for its path.
+    // A name that the file imports is replaced by its path.
     let full = |path: &[String]| -> Vec<String> {
         let imported = paths.iter().find(|named| {
             named.path.len() > 1 && named.path[0] != "crate" && named.path.last() == Some(&path[0])
@@ -111,7 +112,7 @@ fn the_engine_uses_no_files_clock_processes_threads_or_terminal() {
 }
 
 #[test]
-fn what_a_browser_runs_takes_its_files_from_the_machine() {
+fn rooms_for_a_browser_take_their_files_from_machine() {
     let sources = sources();
     let rooms = ["src/files/", "src/editor/", "src/app/"];
     let shell = sources.iter().filter(|(file, _)| rooms.iter().any(|room| file.starts_with(room)));
@@ -124,7 +125,7 @@ fn what_a_browser_runs_takes_its_files_from_the_machine() {
 }
 
 #[test]
-fn the_shell_takes_the_time_and_threads_from_the_machine() {
+fn the_shell_takes_time_and_threads_from_machine() {
     let sources = sources();
     let shell = sources.iter().filter(|(file, _)| {
         file.starts_with("src/") && !file.starts_with(ENGINE) && !file.starts_with(MACHINE)
@@ -147,7 +148,7 @@ fn the_engine_depends_on_no_package_of_the_shell() {
 }
 
 #[test]
-fn each_kind_of_trespass_is_found() {
+fn each_kind_of_forbidden_use_is_found() {
     let trespasses = [
         "use std::fs;",
         "use std::{fs::File, io};",
@@ -172,7 +173,7 @@ fn each_kind_of_trespass_is_found() {
 }
 
 #[test]
-fn what_is_allowed_passes() {
+fn allowed_code_passes() {
     let allowed = [
         "use std::time::Duration; fn f(now: fn() -> Duration) -> Duration { now() + Duration::ZERO }",
         "use std::io::{self, Write}; fn f(out: impl Write) -> io::Result<()> { io::sink().flush() }",

@@ -1,5 +1,5 @@
-//! Marks that the border of the canvas cuts, also those whose centre is beyond it: what of them is on the canvas grows there, and on a
-//! tile they go on at the other side.
+//! Marks that the border of the canvas cuts, also those whose centre is outside: their part on the canvas grows there,
+//! and on a seamless canvas the rest appears at the other side.
 
 use dapple::document::{AreaKind, Document, Edges, Ellipse, Kind, Layer, LineKind, Outline, PairKind};
 use dapple::document::{Stroke, System, SystemChoice};
@@ -92,7 +92,7 @@ fn pattern(grown: &Grown) -> Field {
 }
 
 #[test]
-fn marks_that_the_border_cuts_grow_in_every_kind_of_layer_and_twice_the_same() {
+fn marks_that_the_border_cuts_grow_in_every_kind_of_layer_and_equal_each_time() {
     for edges in [Edges::Closed, Edges::Wrap] {
         for document in documents(edges) {
             let grown = grown_on(&document, SIZE);
@@ -104,7 +104,7 @@ fn marks_that_the_border_cuts_grow_in_every_kind_of_layer_and_twice_the_same() {
             );
             let is_of_lines = document.layers[0].strokes[0].kind() == Some(Kind::Line);
             for mark in grown.layers[0].drawn() {
-                // Few px of a line are seen, and round a tile it may lie oblique to others.
+                // Few px of a line are on the canvas, and around a seamless canvas it may be oblique to other lines.
                 let nearly = is_of_lines && (edges == Edges::Wrap || mark.off.is_some_and(|off| off < 0.2));
                 assert!(mark.there || nearly, "{system} {edges:?}: {mark:?}");
             }
@@ -112,7 +112,7 @@ fn marks_that_the_border_cuts_grow_in_every_kind_of_layer_and_twice_the_same() {
     }
 }
 
-/// The px of the canvas in the ellipse of a mark, and of these how many the pattern covers.
+/// The number of px of the canvas inside the ellipse of a mark, and how many of these the pattern covers.
 fn covered(pattern: &Field, center: [f64; 2], radii: [f64; 2]) -> [usize; 2] {
     let (s, c) = 20f64.to_radians().sin_cos();
     let mut found = [0; 2];
@@ -133,7 +133,7 @@ fn the_part_of_a_spot_that_is_on_the_canvas_grows_where_it_was_drawn() {
         let document = document(spots(), SystemChoice::Auto, Edges::Closed);
         let pattern = pattern(&grown_on(&document, size));
         for (center, radii) in SPOTS {
-            // On another canvas it is as far from the border as on its own.
+            // On a canvas of another size, the mark has the same distance from the border.
             let moved = |at: f64, side: u32, by: f64| at + by * (at / f64::from(side)).clamp(0.0, 1.0);
             let at = [moved(center[0], SIZE[0], x), moved(center[1], SIZE[1], y)];
             let [drawn, grown] = covered(&pattern, at, radii);
@@ -165,7 +165,7 @@ fn a_mark_beyond_the_border_of_a_tile_is_the_one_at_the_other_side() {
 }
 
 #[test]
-fn a_mark_whose_centre_is_beyond_the_border_is_of_the_nearest_region() {
+fn a_mark_whose_centre_is_beyond_the_border_belongs_to_the_nearest_region() {
     let regions = |center: [f64; 2]| {
         let strokes =
             [Stroke::ellipse(center, [14.0, 9.0], 20.0), Stroke::ellipse([120.0, 90.0], [8.0, 8.0], 0.0)];

@@ -1,4 +1,4 @@
-//! Marks drawn denser than spots of reaction and diffusion grow.
+//! Marks that are drawn denser than spots of reaction-diffusion systems can grow.
 
 use dapple::document::{AreaKind, Document, Edges, Layer, Stroke, SystemChoice};
 use dapple_engine::grid::Field;
@@ -8,8 +8,9 @@ use dapple_engine::synth::{Grown, Growth, Options};
 /// Distance of the drawn marks, px.
 const APART: f64 = 24.0;
 
-/// Discs that cover the share `coverage` of the plane in a hexagonal lattice about the middle of the canvas, `rings` round the first; every
-/// other one is larger by the factor `more` and its neighbours smaller by it.
+/// Discs that cover the share `coverage` of the plane, in a hexagonal lattice about the middle of the canvas, with
+/// `rings` rings around the first disc. Every other disc is larger by the factor `more`, its neighbours smaller by this
+/// factor.
 fn sheet(coverage: f64, rings: i32, more: f64) -> Document {
     let radius = APART * (coverage * 0.75f64.sqrt() / std::f64::consts::PI).sqrt();
     let mut strokes = Vec::new();
@@ -39,7 +40,7 @@ fn pattern(grown: &Grown) -> (Field, Vec<Spot>) {
 }
 
 #[test]
-fn dense_marks_stand_where_they_were_drawn_and_the_rest_is_as_dense() {
+fn dense_marks_grow_where_they_were_drawn_and_the_rest_has_the_same_density() {
     for coverage in [0.31, 0.5, 0.65] {
         let document = sheet(coverage, 2, 1.0);
         let grown = grown(&document);

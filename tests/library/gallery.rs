@@ -119,7 +119,7 @@ fn each_figure_has_a_description_and_a_source() {
         let (what, figure) = document.name.split_once(source).expect("a source in its name");
         assert!(what.len() > 5 && figure.ends_with(')'), "{}", document.name);
         if figure == "illumination)" {
-            // That one of Lawlor's figures has no number.
+            // The document of one of Lawlor's figures has no number.
             assert!(file.starts_with("lawlor-illumination"), "{file}");
             continue;
         }
@@ -144,9 +144,9 @@ fn each_document_is_formatted_as_the_program_writes_it() {
 }
 
 #[test]
-fn each_layer_is_drawn_with_a_handful_of_marks_a_region() {
+fn each_layer_is_drawn_with_only_a_few_marks_in_a_region() {
     for (file, _, document) in gallery() {
-        // Fields of points need nothing drawn.
+        // Fields of points need no drawn marks.
         let drawn = |index: &usize| !document.layers[*index].strokes.is_empty();
         for index in (0..document.layers.len()).filter(drawn) {
             let map = region_map(&document, index, &file).unwrap_or_else(|error| panic!("{error}"));

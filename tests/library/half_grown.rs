@@ -1,4 +1,4 @@
-//! Marks that stay between ground and mark.
+//! Marks whose values stay between those of ground and mark.
 
 use dapple::document::{Document, Layer, Stroke};
 use dapple_engine::measure::{Spot, faded_axes, spots};
@@ -33,7 +33,7 @@ fn lines_that_fade_beside_others_are_named() {
     assert!(note.is_some_and(|note| note.contains(&format!("and {} more places", named - 8))), "{note:?}");
 }
 
-/// Eleven ellipses, beside which one spot stays too low at first.
+/// Eleven ellipses beside which one spot stays too low at first.
 fn ellipses() -> Document {
     let drawn = [
         [49.0, 341.0, 12.4, 10.0, 167.0],
@@ -53,7 +53,7 @@ fn ellipses() -> Document {
 }
 
 #[test]
-fn spots_that_are_too_low_begin_again() {
+fn spots_whose_values_stay_too_low_are_restarted() {
     let (grown, report) = grown(&ellipses());
     assert!(report.half_grown.is_empty(), "{:?}", report.half_grown);
     let field = grown.layers[0].pattern().field(512, 512);

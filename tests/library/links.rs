@@ -24,7 +24,7 @@ fn has_picture(document: &Document) -> bool {
 }
 
 #[test]
-fn nine_of_ten_examples_without_a_picture_fit_into_a_short_link_and_all_links_give_them_back() {
+fn nine_of_ten_examples_without_a_picture_fit_into_a_short_link_and_every_link_holds_its_document() {
     let mut paths = Vec::new();
     below(&Path::new(env!("CARGO_MANIFEST_DIR")).join("examples"), &mut paths);
     let mut lengths = Vec::new();

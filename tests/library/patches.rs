@@ -1,4 +1,5 @@
-//! Patches measured with the ruler: asked = got. `cargo run --release -p data-gen -- trial patches` measures sixty random sketches.
+//! Checks that patches, when they are measured, have the attributes that were asked for. `cargo run --release -p
+//! data-gen -- trial patches` measures sixty random sketches.
 
 use dapple_engine::attributes::Spread;
 use dapple_engine::attributes::spacing::{mean_length, neighbours};
@@ -15,7 +16,7 @@ fn patches<'a>(side: usize, edges: Edges, wanted: &'a (dyn Fn([f64; 2]) -> Wante
     Patches { grid, wanted, kept: &[], blocked: None, detail: Patches::DETAIL, seed: 1 }
 }
 
-/// What the ruler reads of a field.
+/// The measured attributes of a field.
 struct Got {
     count: usize,
     area: f64,
@@ -47,7 +48,7 @@ fn got(field: &Field) -> Got {
     }
 }
 
-/// Area and spacing as shares, aspect and angle as differences, raggedness as a share.
+/// The errors of area and spacing (relative), aspect and angle (differences), and raggedness (relative).
 fn errors(wanted: &Wanted, got: &Got) -> [f64; 5] {
     let turned = (got.angle - wanted.angle + 90.0).rem_euclid(180.0) - 90.0;
     [
@@ -71,16 +72,17 @@ fn patches_have_the_wanted_area_spacing_aspect_angle_and_raggedness() {
         let found = errors(&wanted, &got);
         let allowed = [0.02, 0.06, 0.06, 6.0, 0.12];
         assert!((0..5).all(|k| found[k].abs() < allowed[k]), "coverage {coverage}: {found:?}");
-        // None merged, none lost; beyond a closed border there are cut ones of centres outside.
+        // No patches merged and none are missing. At a closed border there are also cut patches whose centres are
+        // outside.
         let lost = grown.centers.len() as i64 - got.count as i64;
         assert!(if edges == Edges::Wrap { lost == 0 } else { lost <= 0 }, "{lost}, coverage {coverage}");
-        // Among dense patches one in a hundred finds no room for nine tenths of its area.
+        // Among dense patches, one in a hundred has no room for nine tenths of its area.
         assert!(grown.cramped * 100 <= grown.centers.len(), "{} cramped, coverage {coverage}", grown.cramped);
     }
 }
 
 #[test]
-fn patches_follow_a_map_of_what_is_wanted() {
+fn patches_follow_a_map_of_attributes() {
     let wanted = |[x, _]: [f64; 2]| {
         let t = (x / 720.0).clamp(0.0, 1.0);
         let area = 600.0 * libm::pow(4.0, t);
@@ -121,7 +123,8 @@ fn drawn(center: [f64; 2], radius: f64, lobes: f64, depth: f64) -> Vec<[f64; 2]>
     (0..120).map(at).collect()
 }
 
-/// Overlap ÷ union of the region above ½ that belongs to an outline, within its box and a margin, and the outline.
+/// For a region above ½ that belongs to an outline, and the outline: overlap ÷ union, within the box of the outline and
+/// a margin.
 fn overlap(field: &Field, outline: &Outline) -> f64 {
     let extent = dapple_engine::points::extent::Extent::from(field.grid().bounds_px());
     let [mut both, mut either] = [0, 0];
@@ -135,7 +138,7 @@ fn overlap(field: &Field, outline: &Outline) -> f64 {
 }
 
 #[test]
-fn kept_outlines_are_reproduced_among_patches_that_keep_clear_of_them() {
+fn kept_outlines_are_reproduced_and_other_patches_do_not_touch_them() {
     let shapes = [
         drawn([140.0, 150.0], 40.0, 5.0, 0.15),
         drawn([420.0, 180.0], 30.0, 3.0, 0.0),
@@ -162,7 +165,7 @@ fn kept_outlines_are_reproduced_among_patches_that_keep_clear_of_them() {
 }
 
 #[test]
-fn no_patch_lies_where_others_are() {
+fn no_patch_covers_the_marks_of_other_layers() {
     let blocked = |[x, y]: [f64; 2]| libm::hypot(x - 250.0, y - 250.0) < 90.0;
     let grown = Patches { blocked: Some(&blocked), ..patches(500, Edges::Wrap, &|_| PATCH) }.grow();
     let field = &grown.field;
@@ -185,7 +188,7 @@ fn the_same_seed_gives_the_same_bytes_on_any_number_of_threads() {
 }
 
 #[test]
-fn values_outside_the_wanted_ranges_give_a_field_all_the_same() {
+fn values_outside_the_usual_ranges_still_give_a_field() {
     let odd = [
         Wanted { area: 1.0, spacing: 3.0, ..PATCH },
         Wanted { spacing: 20.0, ..PATCH },

@@ -1,4 +1,4 @@
-//! The verdict on grown patterns: those that are no texture are rejected with the right reason.
+//! The verdict on grown patterns: those that are not a texture are rejected with the right reason.
 
 use dapple_engine::grid::{Edges, Field, Grid};
 use dapple_engine::learn::Parameters;
@@ -6,7 +6,7 @@ use dapple_engine::measure::{self, Reason};
 use dapple_engine::rd::{self, ParameterField, System};
 use dapple_engine::synth::{Engine, ProbePatch, Sample, Watch};
 
-/// Requested spots (or wavelengths along a side), and the fewest for a training row.
+/// The number of spots (or of wavelengths along a side) that is asked for, and the least number for a training row.
 const ORDERED: f64 = 24.0;
 const LEAST: f64 = 20.0;
 
@@ -19,7 +19,7 @@ fn patch(system: System, parameters: Parameters) -> ProbePatch {
     ProbePatch { system, parameters, extent: ORDERED, seed: 5 }
 }
 
-/// Grows it to the end and judges it.
+/// Grows a patch to the end and judges it.
 fn judged(patch: ProbePatch) -> Result<Sample, Reason> {
     let (marks, settled) = patch.grow(&Watch::NONE).unwrap();
     patch.judge(&marks, settled, LEAST)
@@ -72,7 +72,7 @@ fn spots_that_are_slightly_too_dense_merge() {
 
 #[test]
 fn stripes_that_lost_their_direction_are_a_labyrinth() {
-    // 1.3 cells for each stripe: the grid determines their direction.
+    // With 1.3 cells per stripe, the grid determines the direction of the stripes.
     let reason =
         rejected(patch(System::MEINHARDT_STRIPES, Parameters { rate: 1000.0, ..STRIPES }), "touching");
     assert!(matches!(reason, Reason::NoDirection { .. }), "{reason}");

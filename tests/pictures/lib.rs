@@ -1,5 +1,5 @@
-//! Pictures for tests: of the window, painted on the processor, from formulas, and what is measured in them px by px. A package of its
-//! own, since all of it is slow without optimisation.
+//! Pictures for tests: pictures of the window, which are painted on the processor; pictures from formulas; and
+//! measurements in pictures, px by px. This is a separate package, because all of it is slow without optimisation.
 
 pub mod portrait;
 pub mod seams;

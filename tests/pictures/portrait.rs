@@ -1,4 +1,5 @@
-//! A head, rendered from formulas: signed distances, marched along rays, with a lamp, a rim light, soft shadows and occlusion.
+//! A head, rendered from formulas: signed distance functions, traced along rays, with a lamp, a rim light, soft shadows
+//! and occlusion.
 
 type Vector = [f64; 3];
 
@@ -18,7 +19,7 @@ fn unit(a: Vector) -> Vector {
     a.map(|part| part / length(a))
 }
 
-/// Distance from an ellipsoid, nearly.
+/// The approximate distance from an ellipsoid.
 fn ellipsoid(p: Vector, center: Vector, radii: Vector) -> f64 {
     let q = add(p, center, -1.0);
     let near = length([0, 1, 2].map(|axis| q[axis] / radii[axis]));
@@ -26,26 +27,26 @@ fn ellipsoid(p: Vector, center: Vector, radii: Vector) -> f64 {
     if steep < 1e-9 { -radii[0].min(radii[1]).min(radii[2]) } else { near * (near - 1.0) / steep }
 }
 
-/// Distance from a rod with round ends.
+/// The distance from a rod with round ends.
 fn rod(p: Vector, from: Vector, to: Vector, radius: f64) -> f64 {
     let (out, along) = (add(p, from, -1.0), add(to, from, -1.0));
     let share = (dot(out, along) / dot(along, along)).clamp(0.0, 1.0);
     length(add(out, along, -share)) - radius
 }
 
-/// Both bodies, joined smoothly over `soft`.
+/// The union of two bodies with the distances `a` and `b`, joined smoothly over `soft`.
 fn joined(a: f64, b: f64, soft: f64) -> f64 {
     let share = (0.5 + 0.5 * (b - a) / soft).clamp(0.0, 1.0);
     b + (a - b) * share - soft * share * (1.0 - share)
 }
 
-/// What of the first body is not in the second.
+/// The part of the body with the distance `a` that is outside the body with the distance `b`, cut smoothly over `soft`.
 fn without(a: f64, b: f64, soft: f64) -> f64 {
     -joined(-a, b, soft)
 }
 
 fn skin(p: Vector) -> f64 {
-    // Left and right are alike.
+    // Left and right are symmetric.
     let m = [p[0].abs(), p[1], p[2]];
     let mut body = ellipsoid(p, [0.0, 0.28, -0.06], [0.62, 0.72, 0.74]);
     let mut join = |part: f64, soft: f64| body = joined(body, part, soft);
@@ -77,7 +78,7 @@ fn hair(p: Vector) -> f64 {
     0.8 * (cap + 0.02 * (26.0 * (p[0] + 0.5 * p[1]) + 5.0 * p[1]).sin())
 }
 
-/// Distance and what is there: 0 = skin, 1 = cloth, 2 = hair.
+/// The distance to the scene, and the material there: 0 = skin, 1 = cloth, 2 = hair.
 fn scene(p: Vector) -> (f64, usize) {
     let chest = ellipsoid(p, [0.0, -1.62, -0.2], [1.12, 0.46, 0.46]);
     let chest = joined(chest, ellipsoid(p, [0.0, -1.5, -0.12], [0.5, 0.3, 0.35]), 0.2);
@@ -110,7 +111,7 @@ fn lit(p: Vector, to: Vector) -> f64 {
     share.clamp(0.0, 1.0)
 }
 
-/// How dark the paint is at `p` on a material.
+/// The darkness of the paint at `p` on a material.
 fn paint(p: Vector, material: usize) -> f64 {
     let inside = |x: f64, y: f64, [a, b]: [f64; 2]| (x / a).hypot(y / b) < 1.0;
     let base = [0.72, 0.16, 0.12][material];
@@ -164,7 +165,7 @@ fn shaded(p: Vector, ray: Vector, material: usize, lamps: [Vector; 2]) -> f64 {
     paint(p, material) * (0.12 * open + direct) + gloss * reached * shine
 }
 
-/// The portrait: the mean light of four points a px of 256.
+/// The portrait: the mean light of four points per px, of a picture with 256 px a side.
 pub fn portrait(u: f64, v: f64) -> f64 {
     let part = |k: i32| {
         let off = |k: i32| (f64::from(k) - 0.5) / 512.0;

@@ -1,16 +1,16 @@
-//! Seams: steps across the border of a tile against steps inside it.
+//! Seams: compares the steps across the border of a tile with the steps inside it.
 
 use image::DynamicImage;
 
-/// One of 255 values, of 65,535.
+/// One step of 8-bit values (255), in 16-bit values (65,535).
 const LEVEL: f64 = 257.0;
-/// Cuts of a tile at other places to compare its border with.
+/// The number of other places at which a tile is cut, to compare with its border.
 const CUTS: usize = 24;
-/// So many other lines with steps nearly as large as the largest across the border show that it is the steepest by chance: pieces of
-/// parquet, for one, meet on the border as they do inside.
+/// If this number of other lines have steps nearly as large as the largest step across the border, the border has the
+/// largest one by chance. For example, pieces of parquet meet at the border in the same way as inside.
 const RIVALS: usize = 3;
-/// As large is at least this share: of parquet with 4 × 4 pieces the three next ones had .98, .95 and .89. The steps of a seam stand out
-/// by more.
+/// A step counts as nearly as large from this share on. In parquet with 4 × 4 pieces, the next three lines had 0.98,
+/// 0.95 and 0.89. The steps of a seam are larger than others by more than that.
 const NEARLY: f64 = 0.88;
 
 /// The steps of a tile from each px to the next, the largest of all channels. After the last px of a row or column comes its first.
@@ -18,7 +18,7 @@ const NEARLY: f64 = 0.88;
 pub struct Steps {
     /// The steps to the right of each column, from top to bottom; then the steps below each row, from left to right.
     lines: [Vec<Vec<u16>>; 2],
-    /// How many of all steps are as large as each value.
+    /// The number of steps of each size.
     counts: Vec<u32>,
 }
 
@@ -41,14 +41,16 @@ impl Steps {
         Self { lines, counts }
     }
 
-    /// 98th percentile across ÷ inside, and largest across ÷ inside, of the tile as it is.
+    /// The 98th percentile across the border ÷ that inside, and the largest step across ÷ the largest inside, for the
+    /// tile as it is.
     #[must_use]
     pub fn ratios(&self) -> [f64; 2] {
         self.ratios_of_cut([0, 0])
     }
 
-    /// The same of the tile that begins at another px. Steps below one 8-bit value are ignored. Steps between rounded values are off by
-    /// up to one level, which many steps of a map are only a few of: the percentile across is lessened by as much.
+    /// The ratios of the tile, when it begins at another px. Steps below one 8-bit value are ignored. Steps between
+    /// rounded values have an error of up to one level, and many steps of a map are only a few levels. Therefore the
+    /// percentile across is reduced by one level.
     fn ratios_of_cut(&self, first: [usize; 2]) -> [f64; 2] {
         let border = [0, 1].map(|axis| {
             let lines = &self.lines[axis];
@@ -64,8 +66,8 @@ impl Steps {
         [ratio(0.98, LEVEL), ratio(1.0, 0.0)]
     }
 
-    /// The ratios of the border, or 1 where another cut has larger ones: few spots lie across it, and some cuts meet more of them
-    /// than others. A seam is in no other cut.
+    /// The ratios of the border, or 1 where a cut at another place has larger ones. Few spots lie across the border,
+    /// and some cuts meet more spots than others; a seam, however, is in no other cut.
     #[must_use]
     pub fn ratios_beyond_chance(&self) -> [f64; 2] {
         let found = self.ratios();
@@ -77,7 +79,8 @@ impl Steps {
         [most, if found[1] > 1.0 && self.rivals() >= RIVALS { 1.0 } else { found[1] }]
     }
 
-    /// The lines between columns and between rows, without the border, whose largest step is nearly that of the border.
+    /// The number of lines between columns and between rows, without the border, whose largest step is nearly that of
+    /// the border.
     fn rivals(&self) -> usize {
         let largest = |line: &Vec<u16>| f64::from(line.iter().copied().max().unwrap_or(0));
         let border = self.lines.iter().filter_map(|lines| lines.last()).map(largest).fold(0.0, f64::max);
@@ -85,8 +88,8 @@ impl Steps {
         inside.filter(|line| largest(line) >= NEARLY * border).count()
     }
 
-    /// A tile can be cut anywhere: how the 98th percentile of the steps across its right and its lower border ranks among
-    /// those of all its columns and rows, 0 = the least, 1 = the largest, ½ among equals.
+    /// The ranks of the 98th percentile of the steps across the right and the lower border, among those of all columns
+    /// and rows: 0 = the least, 1 = the largest, ½ among equals. A tile without a seam can be cut anywhere.
     #[must_use]
     pub fn ranks(&self) -> [f64; 2] {
         [0, 1].map(|axis| {
@@ -107,7 +110,7 @@ impl Steps {
     }
 }
 
-/// The place of a percentile among so many sorted values.
+/// The index of a percentile among `count` sorted values.
 fn place(count: usize, share: f64) -> usize {
     ((count - 1) as f64 * share).round() as usize
 }
@@ -116,7 +119,7 @@ fn percentile(sorted: &[u16], share: f64) -> f64 {
     f64::from(sorted[place(sorted.len(), share)])
 }
 
-/// The percentile of values that occur so many times each.
+/// The percentile of values, each of which occurs as often as `counts` says.
 fn percentile_of_counts(counts: &[u32], share: f64) -> f64 {
     let place = place(counts.iter().map(|count| *count as usize).sum(), share);
     let mut before = 0;

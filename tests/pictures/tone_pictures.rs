@@ -1,4 +1,4 @@
-//! Gray pictures made by formulas: values of linear light 0..1 on the unit square, as 8-bit sRGB.
+//! Gray pictures from formulas: values of linear light 0..1 on the unit square, as 8-bit sRGB.
 
 use image::GrayImage;
 
@@ -18,7 +18,7 @@ pub fn px([width, height]: [u32; 2], [x, y]: [u32; 2], light: impl Fn(f64, f64) 
     (255.0 * coded).round() as u8
 }
 
-/// 1 inside, 0 outside, soft over 2 `soft`.
+/// 1 inside, 0 outside, with a soft transition of width 2 · `soft`.
 fn inside(distance: f64, soft: f64) -> f64 {
     let t = (0.5 - 0.5 * distance / soft).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
@@ -28,7 +28,7 @@ fn mix(a: f64, b: f64, share: f64) -> f64 {
     a + share * (b - a)
 }
 
-/// Distance from an ellipse, roughly: below 0 inside.
+/// The approximate distance from an ellipse, negative inside.
 fn ellipse(u: f64, v: f64, [x, y]: [f64; 2], [a, b]: [f64; 2]) -> f64 {
     let [p, q] = [(u - x) / a, (v - y) / b];
     (p.hypot(q) - 1.0) * a.min(b)
@@ -135,7 +135,7 @@ pub fn illumination(u: f64, v: f64) -> f64 {
 /// A picture by its name.
 pub type Named = (&'static str, fn(f64, f64) -> f64);
 
-/// All of them.
+/// All pictures.
 pub const ALL: [Named; 7] = [
     ("sphere", sphere),
     ("ramp", ramp),

@@ -1,4 +1,5 @@
-//! Pictures of a window, painted on the processor: the same on every machine, and nothing of a graphics library to build.
+//! Pictures of a window, painted on the processor. They are the same on every machine, and no graphics library has to
+//! be built.
 //!
 //! It follows egui's shader for pictures in tests: one sample in the middle of each pixel, colours multiplied by their opacity
 //! and blended as they are stored, textures interpolated by hand.

@@ -1,4 +1,5 @@
-//! What is valid for `dapple check` grows, but for what only growing shows; and no picture is blank without a note.
+//! A document that is valid for `dapple check` grows, except for reasons that only growing shows; and no picture is
+//! blank without a note.
 
 use crate::documents::{document, wild_document};
 use crate::growing::{Reasons, runner};
@@ -12,17 +13,18 @@ use std::cell::{Cell, RefCell};
 
 /// The name of the documents in messages.
 const FILE: &str = "a.dapple";
-/// Bytes of memory that a growth may use: about 300,000 cells, which grow within seconds. What needs more is refused.
+/// Bytes of memory that a growth may use: about 300,000 cells, which grow within seconds. Documents that need more are
+/// refused.
 const MEMORY: f64 = 0.1e9;
 /// Longest side of a canvas, px.
 const MOST: u32 = 400;
-/// Sides of the canvases of the documents whose parts go together, px.
+/// Range of the sides of the canvases of documents whose parts suit each other, px.
 const SIDES: [u32; 2] = [48, 256];
-/// Share of the documents that are valid for `check` which growing may refuse, rounded up to a whole document.
+/// The largest share of the documents that `check` accepts and growing refuses, rounded up to a whole document.
 const LATE: f64 = 0.02;
 
 #[test]
-fn what_check_calls_valid_grows_but_for_what_only_growing_shows() {
+fn documents_that_check_accepts_grow_except_for_reasons_that_only_growing_shows() {
     on_large_stack(|| {
         let (valid, refused, late) =
             (Cell::new(0_u32), RefCell::<Reasons>::default(), RefCell::<Reasons>::default());
@@ -70,7 +72,7 @@ fn what_check_calls_valid_grows_but_for_what_only_growing_shows() {
     });
 }
 
-/// A picture of one colour has a note that says so, and what to change.
+/// Asserts that a picture of one colour has a note that says so and gives the remedy.
 fn is_noted_where_it_is_of_one_colour(document: &Document, grown: &Grown) -> Result<(), TestCaseError> {
     let rgb = grown.rgb();
     let (px, _) = rgb.as_chunks::<3>();

@@ -1,5 +1,5 @@
-//! Concentrations stay finite and non-negative for all that `learn` can answer and for any other parameters; the
-//! verdict finds a value that is not finite.
+//! Concentrations stay finite and non-negative for all answers of `learn` and for any other parameters; the verdict
+//! finds a value that is not finite.
 
 use crate::cases;
 use dapple_engine::attributes::{Attributes, Spots, Stripes};
@@ -13,7 +13,7 @@ use std::sync::LazyLock;
 
 static TRAINING: LazyLock<Training> = LazyLock::new(Training::default);
 
-/// Usual values of the ground and of the centre of a mark.
+/// Usual concentrations of the ground, and at the centre of a mark.
 const USUAL: [f32; 2] = [0.0, 1.0];
 
 fn cell_parameters(p: &learn::Parameters, pitch: f32) -> Parameters {
@@ -30,12 +30,12 @@ fn edges() -> impl Strategy<Value = Edges> {
     prop::sample::select(vec![Edges::Closed, Edges::Wrap])
 }
 
-/// Ten to a power.
+/// A strategy for powers of ten with exponents in this range.
 fn power(range: std::ops::Range<f64>) -> impl Strategy<Value = f64> {
     range.prop_map(|x| libm::pow(10.0, x))
 }
 
-/// Questions to a system, in cells: far beyond its training rows.
+/// Questions about a system, in cells: far beyond its training rows.
 fn question(system: System) -> BoxedStrategy<Attributes> {
     let spacing = prop::option::of(power(-1.0..3.0));
     if system.is_striped() {
@@ -56,7 +56,7 @@ fn asked() -> impl Strategy<Value = (System, Attributes)> {
         .prop_flat_map(|system| question(system).prop_map(move |wanted| (system, wanted)))
 }
 
-/// Whether all are finite and non-negative.
+/// Whether all concentrations are finite and non-negative.
 fn sound(growth: &Growth) -> bool {
     growth.concentrations().iter().flatten().all(|value| value.is_finite() && *value >= 0.0)
 }
@@ -86,7 +86,7 @@ proptest! {
 fn any_parameters() -> impl Strategy<Value = (System, Parameters)> {
     (
         prop::sample::select(System::ALL.to_vec()),
-        // Cells: from marks too small for a grid to marks larger than it.
+        // Cells: from marks that are too small for a grid to marks larger than it.
         power(0.0..2.0),
         power(-4.0..4.0),
         power(-2.0..0.0),

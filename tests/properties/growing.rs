@@ -1,4 +1,4 @@
-//! Any valid document grows or says why not, within bounded time and memory.
+//! Any valid document grows or is refused with a reason, within bounded time and memory.
 //!
 //! The allocator of this program (`tests/fuzz/bodies/memory.rs`) limits memory; the count of steps limits time.
 
@@ -11,19 +11,19 @@ use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Steps on the finest grid that a layer may take (`synth::settle`), and a few on the way there.
+/// The most steps on the finest grid that a layer may take (`synth::settle`), and a few more on coarser grids.
 const STEPS: u64 = 400_000;
 
 /// Sides of the canvases, px.
 const SIDES: [u32; 2] = [48, 256];
 
-/// Share of the random documents that must pass the check.
+/// The least share of the random documents that must be valid.
 const VALID: f64 = 0.8;
 
-/// Share of the valid documents that must grow; the others find no room, or nothing to go around.
+/// The least share of the valid documents that must grow; the others have no room, or nothing to grow around.
 const GROWN: f64 = 0.9;
 
-/// The same random numbers in each run; `DAPPLE_SEED` chooses others.
+/// A test runner with fixed random numbers; `DAPPLE_SEED` chooses others.
 pub fn runner(usual: u32) -> TestRunner {
     let seed = std::env::var("DAPPLE_SEED").ok().and_then(|text| text.parse().ok()).unwrap_or(0_u64);
     let mut bytes = [0; 32];
@@ -31,20 +31,20 @@ pub fn runner(usual: u32) -> TestRunner {
     TestRunner::new_with_rng(cases(usual), TestRng::from_seed(RngAlgorithm::ChaCha, &bytes))
 }
 
-/// All that is grown here is grown by this function.
+/// Grows a document; all growths of this test use this function.
 fn grown(document: &Document) -> Result<Grown, GrowError> {
     document.grow()
 }
 
 #[test]
-fn any_valid_document_grows_or_says_why_not() {
+fn any_valid_document_grows_or_is_refused_with_a_reason() {
     on_large_stack(|| {
         Count::default().grow_all(TestRunner::new(cases(8)));
     });
 }
 
 #[test]
-fn most_documents_are_valid_and_every_system_and_after_is_among_these() {
+fn most_documents_are_valid_and_these_contain_every_system_and_after() {
     on_large_stack(|| {
         let mut runner = runner(2_000);
         let (cases, refused) = (runner.config().cases, RefCell::new(Reasons::default()));
@@ -85,7 +85,7 @@ fn most_valid_documents_grow() {
     });
 }
 
-/// Refusals by their words, each number as `#`.
+/// Refusals by their message, with each number replaced by `#`.
 #[derive(Default)]
 pub struct Reasons(BTreeMap<String, u32>);
 
@@ -115,7 +115,7 @@ impl std::fmt::Display for Reasons {
     }
 }
 
-/// What came of random documents.
+/// The results of random documents.
 #[derive(Default)]
 struct Count {
     grown: Cell<u32>,
@@ -143,11 +143,11 @@ impl Count {
     }
 }
 
-/// A grown texture has all layers, was grown within the limit of steps, and is finite everywhere.
+/// Asserts that a grown texture has all layers, was grown within the limit of steps, and is finite everywhere.
 fn sound(document: &Document, grown: &Grown) -> Result<(), TestCaseError> {
     prop_assert_eq!(grown.layers.len(), document.layers.len());
     for layer in &grown.layers {
-        // Nothing reacts in patches, streaks, cracks and fields of points.
+        // There is no reaction in patches, streaks, cracks and fields of points.
         prop_assert_eq!(
             layer.steps() > 0,
             layer.lines().is_none()

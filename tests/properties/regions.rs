@@ -1,5 +1,5 @@
-//! At the centre of a region the map has the region's attributes; between centres it stays within those of the four
-//! regions around the point.
+//! At the centre of a region, the map has the attributes of the region; between centres, they stay within those of the
+//! four regions around the point.
 
 use crate::cases;
 use dapple_engine::attributes::regions::RegionMap;
@@ -54,7 +54,7 @@ proptest! {
         for (place, region) in map.regions() {
             let center = layout.center(place);
             for (there, own) in plain(&map.at(center)).into_iter().zip(plain(&region.filled)) {
-                // Rounding may give a neighbour with a free spacing a weight of 1e-16 here.
+                // Here rounding may give a neighbour with a free spacing a weight of 1e-16.
                 let Some((there, own)) = there.zip(own) else { continue };
                 prop_assert!((there / own - 1.0).abs() < 1e-9, "{there}, not {own}, at {center:?}");
             }
@@ -72,7 +72,7 @@ proptest! {
             let around: Vec<Vec<Option<f64>>> =
                 around.map(|(region, _)| plain(&map.region(layout.place(*region)).filled)).collect();
             for (attribute, value) in plain(&map.at(point)).into_iter().enumerate() {
-                // A spacing is free wherever that of one of the corners is.
+                // A spacing is free wherever the spacing of one of the corners is free.
                 let held: Option<Vec<f64>> = around.iter().map(|corner| corner[attribute]).collect();
                 prop_assert_eq!(value.is_some(), held.is_some(), "attribute {} at {:?}", attribute, point);
                 let Some((value, held)) = value.zip(held) else { continue };

@@ -4,7 +4,7 @@ use crate::cases;
 use dapple_engine::rd::selling::{MIN_STRETCH, OFFSETS, Tensor};
 use proptest::prelude::*;
 
-/// The tensor that a stencil of these weights diffuses by: Σ wₖ eₖeₖᵀ.
+/// The diffusion tensor of a stencil with these weights: Σ wₖ eₖeₖᵀ.
 fn diffused(weights: &[f32]) -> Tensor {
     let sum = |f: fn(f64, f64) -> f64| -> f64 {
         let offsets = OFFSETS.iter().map(|[x, y]| f(*x as f64, *y as f64));

@@ -8,14 +8,14 @@ use dapple_engine::marks::{Ellipse, turn};
 use dapple_engine::measure::{self, Directions, Picture, Reason, Regions, Target};
 use proptest::prelude::*;
 
-/// The profile of a mark's edge; all are 0.5 on it.
+/// The profile of a mark across its edge; on the edge, all profiles are 0.5.
 #[derive(Clone, Copy, Debug)]
 enum Profile {
-    /// 2^(−ρ²): a spot that fades out from its centre.
+    /// 2^(−ρ²): a spot whose value decreases gradually from its centre.
     Soft,
-    /// Nearly flat inside and outside, an edge of a third of the radius: as grown spots look.
+    /// Nearly constant inside and outside, with an edge of a third of the radius, like grown spots.
     Firm,
-    /// A printed picture: the share of a pixel that is covered.
+    /// The share of a pixel that is covered, like in a printed picture.
     Hard,
 }
 
@@ -54,7 +54,7 @@ fn covered(p: [f64; 2], inside: impl Fn([f64; 2]) -> bool) -> f32 {
     hits as f32 / 256.0
 }
 
-/// (area ratio − 1, aspect difference, angle difference, distance of the centres) of the only spot.
+/// The errors of the only spot: area ratio − 1, aspect difference, angle difference, distance of the centres.
 fn read(field: &Field, ellipse: &Ellipse) -> (f64, f64, f64, f64) {
     let spots = measure::spots(field, 0.5);
     assert_eq!(spots.len(), 1, "{ellipse:?}");
@@ -68,7 +68,7 @@ fn read(field: &Field, ellipse: &Ellipse) -> (f64, f64, f64, f64) {
     )
 }
 
-/// Long stripes of this width, direction and wavelength, soft (a Gaussian whose half is on the edge) or hard.
+/// Long stripes with this width, direction and wavelength, soft (a Gaussian that is 0.5 on the edge) or hard.
 fn stripes(size: [usize; 2], hard: bool, width: f64, angle: f64, wavelength: f64) -> Field {
     let (sin, cos) = angle.to_radians().sin_cos();
     let out = |[x, y]: [f64; 2]| {
@@ -80,7 +80,7 @@ fn stripes(size: [usize; 2], hard: bool, width: f64, angle: f64, wavelength: f64
     })
 }
 
-/// This many random cases, or as many as `PROPTEST_CASES` says (`.ci/property`).
+/// This number of random cases, or the number in `PROPTEST_CASES` (`.ci/property`).
 fn cases(usual: u32) -> ProptestConfig {
     let asked = std::env::var("PROPTEST_CASES").ok().and_then(|text| text.parse().ok());
     ProptestConfig::with_cases(asked.unwrap_or(usual))
@@ -114,7 +114,7 @@ proptest! {
         prop_assert!(angle.abs() < 0.3 || ellipse.aspect() > 0.95, "angle {}", angle);
     }
 
-    /// A printed edge is one pixel wide and blurs sharp tips: about 0.6 px² are missing whatever the size.
+    /// A printed edge is one pixel wide and blurs sharp tips: about 0.6 px² are missing, whatever the size is.
     #[test]
     fn a_hard_ellipse_is_measured_as_it_was_drawn(
         area in 100.0..1500.0, aspect in 0.3..1.0, angle in 0.0..180.0, x in 50.0..60.0, y in 50.0..60.0,
@@ -124,7 +124,7 @@ proptest! {
         let (area, aspect, angle, _) = read(&field, &ellipse);
         prop_assert!(area.abs() * ellipse.area() < 2.5, "area {}", area);
         prop_assert!(aspect.abs() < 0.012, "aspect {}", aspect);
-        // The same error of the second moments turns a rounder ellipse farther.
+        // The same error of the second moments changes the direction of a rounder ellipse more.
         let turned = angle.abs() * (1.0 - ellipse.aspect());
         prop_assert!(turned < 0.35, "angle {}", angle);
     }
@@ -151,7 +151,7 @@ proptest! {
 
     #[test]
     fn stripes_are_measured_as_they_were_drawn(m in -9..=9_i32, n in 0..=9_i32, share in 0.3..0.6_f64, hard: bool) {
-        // m and n stripes fit across and down the tile, so that no frame cuts one lengthwise.
+        // m and n stripes fit across and down the canvas, so that no frame cuts one lengthwise.
         prop_assume!((m, n) != (0, 0));
         let [k, l] = [f64::from(m) / 180.0, f64::from(n) / 160.0];
         let wavelength = 1.0 / k.hypot(l);
@@ -179,7 +179,7 @@ fn a_cut_ellipse_is_not_whole_and_has_its_visible_area() {
     assert_eq!(spots.len(), 1);
     assert!(!spots[0].whole);
     assert!((spots[0].ellipse.area() / (0.5 * ellipse.area()) - 1.0).abs() < 0.005);
-    // Half of the perimeter, by Ramanujan's second formula; the frame does not count.
+    // Half of the perimeter, by Ramanujan's second formula; the part along the border does not count.
     let h = (4.0_f64 / 20.0).powi(2);
     let perimeter = std::f64::consts::PI * 20.0 * (1.0 + 3.0 * h / (10.0 + (4.0 - 3.0 * h).sqrt()));
     assert!((spots[0].contour / (0.5 * perimeter) - 1.0).abs() < 0.002);
@@ -216,7 +216,7 @@ fn graded() -> Vec<Ellipse> {
 }
 
 #[test]
-fn errors_of_spots_are_those_between_the_marks_and_the_map() {
+fn errors_of_spots_are_the_differences_between_marks_and_map() {
     let edges = Edges::Wrap;
     let field = draw([240, 249], edges, Profile::Firm, &graded());
     let spots = measure::spots(&field, 0.5);
@@ -244,7 +244,7 @@ fn errors_of_spots_are_those_between_the_marks_and_the_map() {
         assert!((error.aspect.unwrap() - 0.03).abs() < 0.003, "{error:?}");
         assert!((error.angle.unwrap() - 3.0).abs() < 0.05, "{error:?}");
         assert!((error.spacing.unwrap() + 0.04).abs() < 0.002, "{error:?}");
-        // They follow the map, so that nothing varies about it except for errors of the grid.
+        // The spots follow the map, so that nothing varies relative to it, except for errors of the grid.
         let spread = error.spread.unwrap();
         assert!(spread.area < 0.005 && spread.angle < 0.3, "{spread:?}");
         assert!(spread.aspect < 0.005 && spread.spacing < 0.005, "{spread:?}");
@@ -275,12 +275,12 @@ fn cut_marks_are_neighbours_but_not_measured() {
     };
     let errors = measure::spot_errors(&spots, &target);
     assert_eq!(errors[0].marks, whole);
-    // The centre of a cut mark is moved inwards, so that some long edges are inside the hull.
+    // The centre of a cut mark is shifted inwards, so that some long edges are inside the hull.
     assert!(errors[0].spacing.unwrap().abs() < 0.03, "{errors:?}");
 }
 
 #[test]
-fn errors_of_stripes_are_those_between_the_field_and_the_map() {
+fn errors_of_stripes_are_the_differences_between_field_and_map() {
     let field = stripes([240, 200], false, 7.0, 40.0, 16.0);
     let wanted = |[x, _]: [f64; 2]| {
         let angle = if x < 120.0 { 35.0 } else { 44.0 };
@@ -304,7 +304,7 @@ fn errors_of_stripes_are_those_between_the_field_and_the_map() {
 }
 
 #[test]
-fn rings_follow_their_tangents() {
+fn stripes_in_rings_have_the_direction_of_the_tangents() {
     let rings = Field::from_fn([200, 200], [1.0, 1.0], Edges::Closed, |[x, y]| {
         (0.5 + 0.5 * ((x - 100.0).hypot(y - 100.0) * std::f64::consts::TAU / 12.0).cos()) as f32
     });
@@ -316,7 +316,7 @@ fn rings_follow_their_tangents() {
     });
     let deviation = directions.deviations(&places, 2)[1].unwrap();
     assert!(deviation.mean.abs() < 0.05 && deviation.rms < 1.0, "{deviation:?}");
-    // Directions cancel: there is no mean direction, though each place has one.
+    // The directions cancel each other: there is no mean direction, although each place has a direction.
     let statistics = measure::stripes(&rings, 0.5).unwrap();
     assert!(statistics.alignment < 0.15 && statistics.coherence > 0.9, "{statistics:?}");
     assert!(

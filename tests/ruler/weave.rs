@@ -1,4 +1,4 @@
-//! The threads of drawn weaves.
+//! Measuring the threads of painted weaves.
 
 use dapple_engine::synth::measured_weave::measure_weave;
 
@@ -22,7 +22,7 @@ fn weave(side: usize, threads: &[[f64; 3]]) -> Field {
 
 #[test]
 fn the_threads_of_a_weave_are_measured_as_they_were_drawn() {
-    // The share by which widths may be off; periods: 2 %.
+    // The largest relative error of the widths; that of the periods is 2 %.
     for (threads, width_bound) in [
         (&[[20.0, 6.0, 24.0], [100.0, 8.0, 28.0]][..], 0.01),
         (&[[0.0, 4.0, 12.0], [90.0, 9.0, 50.0]], 0.02),

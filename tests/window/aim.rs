@@ -1,13 +1,14 @@
-//! Clicks on what may move in the meantime.
+//! Clicks on controls that may move in the meantime.
 
 use egui::{Event, Modifiers, PointerButton, Pos2, Rect};
 use egui_kittest::Harness;
 
-/// How often the user aims at what moves away.
+/// How often the user aims again at a control that moves away.
 const AIMS: usize = 20;
 
-/// Moves the pointer to what `find` finds, which `name` names in messages, presses the button and releases it, a frame each. What a
-/// growth tells in the meantime moves what lies below: where it has moved away from the pointer, the user aims again.
+/// Moves the pointer to the control that `find` finds (`name` names it in messages), presses the button and releases
+/// it, one frame each. Messages of a growth may move the controls below them: where the control has moved away from the
+/// pointer, the user aims again.
 #[track_caller]
 pub fn click_on<State>(
     window: &mut Harness<'static, State>,
@@ -23,7 +24,7 @@ pub fn click_on<State>(
         let is_there = |window: &Harness<'static, State>| find(window).is_some_and(|rect| rect.contains(at));
         window.hover_at(at);
         window.step();
-        // What is pressed is found by the places of the frame before.
+        // The control under a press is found by the places of the frame before.
         if !is_there(window) {
             continue;
         }
@@ -34,7 +35,7 @@ pub fn click_on<State>(
             window.step();
             return;
         }
-        // What is released far from where it was pressed is no click.
+        // A release far from the press is not a click.
         window.hover_at(Pos2::ZERO);
         window.event(button(Pos2::ZERO, false));
         window.step();

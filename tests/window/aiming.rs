@@ -1,4 +1,4 @@
-//! The simulated user presses what moves.
+//! The simulated user can press controls that move.
 
 use egui::Vec2;
 use egui_kittest::Harness;
@@ -13,7 +13,7 @@ struct Column {
     pressed: [usize; 2],
 }
 
-/// A window in which a line appears above two buttons in this frame after the first ones.
+/// A window with two buttons, above which a line appears this number of frames after the first ones.
 fn column(appears: usize) -> Harness<'static, Column> {
     let show = move |ui: &mut egui::Ui, column: &mut Column| {
         column.frames += 1;
@@ -25,7 +25,7 @@ fn column(appears: usize) -> Harness<'static, Column> {
         }
     };
     let mut window = Harness::builder().build_ui_state(show, Column::default());
-    // However many frames it has shown until now.
+    // Independent of the number of frames that were shown so far.
     window.state_mut().frames = 0;
     window
 }

@@ -83,7 +83,7 @@ fn a_chosen_alternative_grows_what_its_picture_showed() {
         assert_eq!(small(&settled.document, &settled.grown).pixels, picture.pixels, "{name}");
         assert!(hand.window.state().alternatives().is_taken(id));
 
-        // A new growth gives the same.
+        // A new growth gives the same texture.
         let shown = hand.window.state().growth().picture.as_ref().unwrap().image.clone();
         hand.press("Grow again");
         hand.until_settled();
@@ -111,7 +111,7 @@ fn choosing_an_alternative_keeps_the_others() {
 }
 
 #[test]
-fn another_sketch_has_other_alternatives_and_keeps_what_is_starred() {
+fn another_sketch_has_other_alternatives_and_keeps_the_starred_ones() {
     let (mut hand, _folder) = spots();
     hand.key(Modifiers::NONE, Key::A);
     until_grown(&mut hand);

@@ -1,4 +1,4 @@
-//! The clipboard: marks, SVG and pictures in, the texture out.
+//! The clipboard: marks, SVG and pictures are pasted, the texture is copied.
 
 use std::sync::Arc;
 
@@ -65,7 +65,7 @@ fn a_pasted_picture_becomes_the_reference_and_is_moved_and_scaled_while_it_is_un
     hand.drag(&[[100.0, 100.0], [120.0, 130.0], [140.0, 160.0]]);
     let moved = place(&hand);
     assert!((moved.center[0] - 296.0).abs() < 0.5 && (moved.center[1] - 316.0).abs() < 0.5, "{moved:?}");
-    // Its upper left corner is at (40, 60): half as large about the opposite one.
+    // Its upper left corner is then at (40, 60): half as large, scaled about the opposite corner.
     hand.drag(&[[40.0, 60.0], [150.0, 170.0], [296.0, 316.0]]);
     let scaled = place(&hand);
     assert!((scaled.scale - 4.0).abs() < 0.1, "{scaled:?}");
@@ -77,7 +77,7 @@ fn a_pasted_picture_becomes_the_reference_and_is_moved_and_scaled_while_it_is_un
 }
 
 #[test]
-fn a_mark_on_an_unlocked_picture_is_moved_before_it() {
+fn a_drag_on_an_unlocked_picture_moves_the_mark_there_not_the_picture() {
     let mut hand = hand();
     hand.key(Modifiers::NONE, Key::E);
     hand.drag(&[[200.0, 200.0], [240.0, 220.0]]);

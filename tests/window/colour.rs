@@ -137,7 +137,7 @@ fn palettes_are_saved_and_opened() {
 }
 
 #[test]
-fn a_palette_that_cannot_be_read_or_written_is_reported_and_the_window_goes_on() {
+fn a_palette_that_cannot_be_read_or_written_is_reported_and_the_window_stays_usable() {
     let (mut hand, folder) = with_layers(1);
     let before = hand.colours(0);
     for (button, file) in [("Open palette…", "missing.gpl"), ("Save palette…", "nowhere/p.gpl")] {
@@ -153,7 +153,7 @@ fn a_palette_that_cannot_be_read_or_written_is_reported_and_the_window_goes_on()
 
 #[cfg(unix)]
 #[test]
-fn the_window_goes_on_while_a_palette_is_read_and_the_layer_it_was_for_takes_it() {
+fn the_window_stays_usable_while_a_palette_is_read_for_a_layer() {
     let (mut hand, folder) = with_layers(2);
     let file = folder.path().join("slow.gpl");
     crate::hand::pipe(&file);
@@ -186,7 +186,7 @@ fn is_painted(hand: &Hand) -> bool {
     let (Some(texture), Some(picture)) = (window.settled(), window.growth().picture.as_ref()) else {
         return false;
     };
-    // A magnified canvas has several px of the picture for each of its own.
+    // A magnified canvas has several px of the picture for each of its own px.
     let scale = picture.image.size[0] / texture.grown.size[0] as usize;
     let rgb =
         dapple_engine::synth::render::painting::Painting::new(&window.document(), &texture.grown, scale)

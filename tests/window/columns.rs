@@ -1,4 +1,4 @@
-//! The columns beside the sketch keep their size and their places, and are resized and hidden by the user alone.
+//! The columns beside the sketch keep their sizes and places; only the user resizes and hides them.
 
 use dapple::ReadFile;
 use dapple::app::{Settings, Start};

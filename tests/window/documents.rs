@@ -65,7 +65,7 @@ fn every_example_is_opened_and_saved_without_a_change() {
 }
 
 #[test]
-fn a_document_on_a_model_is_shown_flat_and_keeps_its_model_and_what_is_drawn_on_it() {
+fn a_document_on_a_model_is_shown_flat_and_keeps_its_model_and_the_marks_on_it() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("cat.dapple");
     let text = r#"{"format": "dapple", "version": 2, "size": [200, 160], "model": {"file": "cat.obj", "px": 700},
@@ -131,7 +131,7 @@ fn unsaved_work_can_be_saved_before_another_document_is_opened() {
 }
 
 #[test]
-fn a_dropped_picture_is_shown_under_the_canvas_where_that_is_wanted() {
+fn a_dropped_picture_is_shown_under_the_canvas_where_the_user_chooses_that() {
     let picture = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("assets/examples/zebra.png");
     let mut hand = hand();
     drop_file(&mut hand, &picture);
@@ -181,7 +181,7 @@ fn an_example_is_chosen_from_its_picture() {
 }
 
 #[test]
-fn the_canvas_is_resized_and_cut_into_regions() {
+fn the_canvas_is_resized_and_divided_into_regions() {
     let mut hand = hand();
     hand.draw_round([450.0, 200.0], [30.0, 20.0], 30.0);
     hand.draw_round([100.0, 200.0], [30.0, 20.0], 30.0);
@@ -228,14 +228,14 @@ fn a_picture_that_holds_its_document_restores_it_without_a_file() {
     assert!(!hand.window.state().has_reference());
     assert_eq!(hand.window.state().session().path, None);
 
-    // Saving asks for a name, and the picture is not overwritten.
+    // Saving asks for a file name, and the picture is not overwritten.
     hand.key(Modifiers::COMMAND, Key::S);
     let saved = folder.path().join("again.dapple");
     hand.type_into("File", saved.to_str().unwrap());
     assert!(Document::read(&saved).is_ok());
     assert_eq!(fs::read(&picture).unwrap(), before);
 
-    // The export begins with the size of the picture.
+    // The export dialog starts with the size of the picture.
     hand.key(Modifiers::COMMAND, Key::E);
     let size = hand.window.state().choices().unwrap().size;
     assert_eq!((size.canvas, size.scale), (Some([120, 96]), 2));
@@ -290,7 +290,7 @@ fn an_svg_becomes_an_unsaved_sketch_with_a_notice_of_what_was_left_out() {
     let notices = hand.window.state().notices().to_vec();
     assert!(notices[0].text.contains("not read: 1 × text"), "{notices:?}");
 
-    // The same as the document of `dapple import`.
+    // The document equals that of `dapple import`.
     let other = folder.path().join("cli.dapple");
     let mut import = assert_cmd::Command::new(assert_cmd::cargo::cargo_bin!("dapple"));
     import.arg("import").arg(&drawing).arg("-o").arg(&other).arg("-q").assert().success();
@@ -347,7 +347,7 @@ fn enter_that_answers_one_question_does_not_answer_the_next() {
     assert!(hand.window.query_by_label_contains("Save the changes").is_some());
     hand.key(Modifiers::NONE, Key::Enter);
     hand.type_path_only("File", &path);
-    // Enter is held: the same key comes again and again.
+    // Enter is held, so that the same key event is repeated.
     for _ in 0..6 {
         let (key, modifiers) = (Key::Enter, Modifiers::NONE);
         hand.window.event(Event::Key { key, physical_key: None, pressed: true, repeat: false, modifiers });

@@ -51,7 +51,7 @@ fn circle([x, y]: [f64; 2], radius: f64) -> impl Iterator<Item = [f64; 2]> {
 }
 
 #[test]
-fn quick_circles_within_one_frame_are_marks_and_steps_of_their_own() {
+fn quick_circles_within_one_frame_are_separate_marks_and_undo_steps() {
     let mut hand = hand();
     let places = [80.0, 160.0, 240.0, 320.0, 400.0].map(|x| [x, 200.0]);
     let events: Vec<Event> = places.iter().flat_map(|at| stroke(&hand, circle(*at, 20.0))).collect();
@@ -146,7 +146,7 @@ fn a_path_is_moved_bent_by_its_points_copied_and_all_of_it_undone() {
 }
 
 #[test]
-fn what_will_not_grow_as_drawn_is_told_while_drawing() {
+fn notes_on_what_will_not_grow_as_drawn_appear_while_drawing() {
     let mut hand = hand();
     let told = |hand: &Hand, text: &str| hand.window.query_all_by_label_contains(text).next().is_some();
     hand.key(Modifiers::NONE, Key::L);
@@ -202,7 +202,7 @@ fn outlines_side_by_side_suggest_cells() {
 fn marks_denser_than_spots_grow_patches_unless_spots_are_chosen() {
     let mut hand = hand();
     let told =
-        |hand: &Hand| hand.window.query_all_by_label_contains("denser than spots grow").next().is_some();
+        |hand: &Hand| hand.window.query_all_by_label_contains("this layer grows patches").next().is_some();
     hand.press("Ellipse");
     for at in 0..9 {
         let [left, top] = [at % 3, at / 3].map(|step| 100.0 + 90.0 * f64::from(step));
@@ -327,7 +327,7 @@ fn movement_after_the_button_is_released_is_no_part_of_the_stroke() {
         hand.window.hover_at(at);
         hand.window.step();
     }
-    // All in one frame, as on a busy machine.
+    // All events come in one frame, like on a busy machine.
     hand.window.input_mut().events.extend([button(last, false), Event::PointerMoved(away)]);
     hand.window.step();
     hand.rest();
@@ -336,7 +336,7 @@ fn movement_after_the_button_is_released_is_no_part_of_the_stroke() {
 }
 
 #[test]
-fn an_empty_canvas_offers_something_to_begin_with_until_the_first_mark() {
+fn an_empty_canvas_offers_starters_until_the_first_mark() {
     let mut hand = hand();
     let offered = |hand: &Hand| hand.window.query_by_label("A leopard").is_some();
     assert!(offered(&hand));

@@ -1,4 +1,4 @@
-//! The export dialog: the preview equals the written file, and that of `dapple grow` and `dapple film`.
+//! The export dialog: the preview equals the written file and the file of `dapple grow` and `dapple film`.
 
 mod films;
 mod outlines;
@@ -28,7 +28,7 @@ fn small() -> (Hand, tempfile::TempDir) {
     (hand, folder)
 }
 
-/// Opens the dialog at one of its pages.
+/// Opens the dialog on one of its pages.
 fn open(hand: &mut Hand, kind: &str) {
     hand.key(Modifiers::COMMAND, Key::E);
     hand.press(kind);
@@ -55,12 +55,12 @@ fn take(hand: &mut Hand, list: &str, text: &str) {
 /// The preview, once it is complete.
 fn seen(hand: &mut Hand) -> Arc<FinishedPreview> {
     hand.until("a preview", |window| window.previewed().is_some());
-    // A material is rendered once more, lit.
+    // The lit view of a material is rendered after its maps.
     hand.rest();
     hand.window.state().previewed().unwrap()
 }
 
-/// Writes the file, and waits.
+/// Writes the file, and waits until it is written.
 fn write(hand: &mut Hand, path: &Path) {
     hand.press("Export…");
     let into = hand.window.query_by_role_and_label(Role::TextInput, "File").is_none();
@@ -71,7 +71,7 @@ fn write(hand: &mut Hand, path: &Path) {
     hand.press("OK");
 }
 
-/// Decoded by another reader than that of the preview.
+/// The picture, decoded by another decoder than that of the preview.
 fn decoded(path: &Path) -> ColorImage {
     let image = image::open(path).unwrap().into_rgba8();
     ColorImage::from_rgba_unmultiplied([image.width() as usize, image.height() as usize], image.as_raw())
@@ -186,7 +186,7 @@ fn the_material_page() {
 }
 
 #[test]
-fn a_place_that_cannot_be_written_keeps_the_dialog_and_the_last_folder_is_proposed() {
+fn after_a_failed_write_the_dialog_stays_open_and_the_last_folder_is_proposed() {
     let folder = tempfile::tempdir().unwrap();
     let mut hand = crate::hand::hand();
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);

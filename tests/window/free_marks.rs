@@ -1,4 +1,5 @@
-//! Free marks: what they want between them is shown, marks that did not grow are hollow, two sizes become two layers.
+//! Free marks: the sizes and directions between them are shown, marks that did not grow are hollow, and two sizes
+//! become two layers.
 
 use dapple::app::{Start, Window};
 use dapple::document::{Document, Layer, Stroke};
@@ -13,7 +14,7 @@ fn is_shown(hand: &Hand, text: &str) -> bool {
     hand.window.query_all_by_label_contains(text).next().is_some()
 }
 
-/// How many drawn marks of the lowest layer did not grow, once that is known.
+/// The number of drawn marks of the lowest layer that did not grow, once it is known.
 #[track_caller]
 fn lost(hand: &mut Hand) -> usize {
     hand.until_settled();
@@ -35,7 +36,7 @@ fn draw_rings(hand: &mut Hand) {
 }
 
 #[test]
-fn what_the_marks_want_between_them_is_shown_while_drawing_and_can_be_hidden() {
+fn sizes_and_directions_between_marks_are_shown_while_drawing_and_can_be_hidden() {
     let mut hand = hand();
     assert!(hand.window.state().wanted().is_empty());
     hand.draw_round([150.0, 150.0], [30.0, 15.0], 0.0);
@@ -43,40 +44,40 @@ fn what_the_marks_want_between_them_is_shown_while_drawing_and_can_be_hidden() {
     hand.until_settled();
     let first = hand.window.state().wanted().to_vec();
     assert!(first.len() > 10 && first.iter().all(|glyph| !glyph.is_cancelled()), "{first:?}");
-    // It follows the sketch.
+    // The display follows the sketch.
     hand.draw_round([200.0, 350.0], [30.0, 15.0], 60.0);
     hand.until_settled();
     assert_ne!(hand.window.state().wanted(), first);
 
     let shown = picture(&mut hand);
     hand.press("Canvas");
-    hand.press("Expected sizes and directions");
+    hand.press("Sizes and directions between marks");
     assert!(hand.window.state().wanted().is_empty());
     let hidden = picture(&mut hand);
     assert!(shown != hidden, "nothing was painted");
     hand.key(Modifiers::NONE, Key::W);
     assert!(!hand.window.state().wanted().is_empty());
-    // Regions have a grid instead.
+    // A document with regions has a grid instead.
     hand.press("Canvas regions");
     assert!(hand.document().regions.is_some() && hand.window.state().wanted().is_empty());
-    assert!(is_shown(&hand, "Region grid") && !is_shown(&hand, "Expected sizes and directions"));
+    assert!(is_shown(&hand, "Region grid") && !is_shown(&hand, "Sizes and directions between marks"));
 }
 
 #[test]
-fn what_is_wanted_at_the_pointer_is_told() {
+fn the_attributes_at_the_pointer_are_shown() {
     let mut hand = hand();
     hand.draw_round([100.0, 256.0], [40.0, 40.0], 0.0);
     hand.draw_round([400.0, 256.0], [10.0, 10.0], 0.0);
     hand.key(Modifiers::NONE, Key::Escape);
     hand.window.remove_cursor();
     hand.until_settled();
-    assert!(is_shown(&hand, "Expected on average"));
+    assert!(is_shown(&hand, "Asked for on average"));
     let mut areas = Vec::new();
     for x in [180.0, 340.0] {
         let at = hand.at([x, 256.0]);
         hand.window.hover_at(at);
         hand.rest();
-        assert!(is_shown(&hand, "Expected at the pointer"));
+        assert!(is_shown(&hand, "Asked for at the pointer"));
         let label = hand.window.query_all_by_label_contains("px²").next().unwrap();
         let text = format!("{label:?}");
         let digits: String =
@@ -140,7 +141,7 @@ fn overlapping() -> Document {
 #[test]
 fn a_mark_that_did_not_grow_is_hollow_and_says_why() {
     let (mut hand, ..) = hand_with(&overlapping());
-    // Known as soon as the growth is planned.
+    // This is known as soon as the growth is planned.
     hand.until("planned", |window: &Window| window.growth().left_out.iter().flatten().count() == 1);
     hand.rest();
     assert!(is_shown(&hand, "1 mark does not grow (dashed outline)"));
@@ -149,7 +150,7 @@ fn a_mark_that_did_not_grow_is_hollow_and_says_why() {
     let lost_mark = drawn.iter().find(|mark| !mark.there).unwrap();
     let at = hand.at(lost_mark.place);
     hand.window.hover_at(at);
-    // The text is shown where the pointer rests.
+    // The text appears where the pointer rests.
     hand.window.run_steps(60);
     assert!(is_shown(&hand, "Does not grow: "), "no reason at the pointer");
     assert!(is_shown(&hand, lost_mark.reason.unwrap()));
@@ -158,7 +159,7 @@ fn a_mark_that_did_not_grow_is_hollow_and_says_why() {
     assert!(is_shown(&hand, "1 of 10 drawn marks did not grow: dashed outlines in the sketch"));
     hand.window.state_mut().hide_times();
     see(&mut hand, "lost-light");
-    // After a change, what did not grow is no longer known.
+    // After a change, it is unknown which marks did not grow.
     hand.press("Draw");
     hand.key(Modifiers::NONE, Key::V);
     hand.click(lost_mark.place);
@@ -167,7 +168,7 @@ fn a_mark_that_did_not_grow_is_hollow_and_says_why() {
 }
 
 #[test]
-fn what_was_asked_and_what_grew_of_a_mark_is_shown_where_it_is_selected() {
+fn the_drawn_and_the_grown_attributes_of_a_selected_mark_are_shown() {
     let (mut hand, ..) = hand_with(&overlapping());
     lost(&mut hand);
     hand.key(Modifiers::NONE, Key::V);
@@ -195,7 +196,7 @@ fn two_sizes() -> Document {
 }
 
 #[test]
-fn two_sizes_become_two_layers_at_a_click_and_one_undo_restores_them() {
+fn two_sizes_become_two_layers_by_a_click_and_one_undo_restores_them() {
     let before = two_sizes();
     let (mut hand, ..) = hand_with(&before);
     assert!(is_shown(&hand, "the spots of this layer have two sizes"));
@@ -225,7 +226,7 @@ fn notes_on_a_sketch_are_shown_whole() {
 }
 
 #[test]
-fn distances_that_stripes_cannot_have_and_hidden_layers_are_told() {
+fn notes_report_impossible_distances_of_stripes_and_hidden_layers() {
     let mut hand = hand();
     hand.key(Modifiers::NONE, Key::L);
     hand.drag(&[[100.0, 100.0], [250.0, 100.0], [400.0, 100.0]]);
@@ -241,7 +242,7 @@ fn distances_that_stripes_cannot_have_and_hidden_layers_are_told() {
 }
 
 #[test]
-fn what_grew_of_the_mark_that_was_drawn_last_is_shown_once_it_is_measured() {
+fn the_result_of_the_last_drawn_mark_is_shown_once_it_is_measured() {
     let mut hand = hand();
     for k in 0..6 {
         hand.draw_round([100.0 + 50.0 * f64::from(k), 200.0], [16.0, 10.0], 30.0);
@@ -251,7 +252,7 @@ fn what_grew_of_the_mark_that_was_drawn_last_is_shown_once_it_is_measured() {
 }
 
 #[test]
-fn what_will_not_grow_as_drawn_is_said_at_its_place() {
+fn a_sign_at_its_place_explains_what_will_not_grow_as_drawn() {
     let mut hand = hand();
     hand.key(Modifiers::NONE, Key::L);
     hand.drag(&[[100.0, 100.0], [200.0, 150.0], [300.0, 200.0]]);

@@ -43,7 +43,7 @@ fn a_settled_texture_equals_the_one_of_the_command_line() {
     Command::new(dapple).arg("grow").arg(&saved).arg("-o").arg(&grown).arg("-q").assert().success();
     assert_eq!(fs::read(&exported).unwrap(), fs::read(&grown).unwrap());
 
-    // So are the px on the screen.
+    // The px on the screen are equal as well.
     let shown = &hand.window.state().growth().picture.as_ref().unwrap().image;
     let mut reader =
         png::Decoder::new(std::io::BufReader::new(fs::File::open(&grown).unwrap())).read_info().unwrap();
@@ -86,7 +86,7 @@ fn a_paused_growth_takes_no_step_until_it_is_continued() {
     hand.press("Pause");
     let before = hand.growth_state().clone();
     assert!(matches!(before, GrowthState::Growing(..)));
-    // A state in progress at the pause may still arrive.
+    // A state that was on its way at the pause may still arrive.
     hand.until("standing still", {
         let mut last = None;
         let mut still = 0;
@@ -103,7 +103,7 @@ fn a_paused_growth_takes_no_step_until_it_is_continued() {
 
 #[test]
 fn a_stopped_growth_keeps_its_picture_and_grows_again_when_asked() {
-    // Small spots on a large canvas: they grow for a second or more after their first picture.
+    // Small spots on a large canvas: they grow for at least a second after their first picture.
     let text = r#"{"format": "dapple", "version": 1, "size": [1200, 1200], "layers": [
         {"strokes": [{"kind": "ellipse", "center": [60, 60], "radii": [5, 4], "angle": 20}]}]}"#;
     let (mut hand, _folder, _) = hand_with(&Document::parse(text, "large").unwrap());
@@ -124,7 +124,7 @@ fn a_line_among_ellipses_grows_on_a_layer_of_its_own() {
     hand.drag(&[[20.0, 140.0], [80.0, 150.0], [140.0, 140.0]]);
     hand.until_settled();
     assert_eq!(hand.window.state().settled().unwrap().grown.layers.len(), 2);
-    // Layers reused from the previous growth equal those of a new growth.
+    // Layers that were reused from the previous growth equal those of a new growth.
     let shown = hand.window.state().growth().picture.as_ref().unwrap().image.clone();
     hand.press("Grow again");
     hand.until_settled();

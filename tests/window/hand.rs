@@ -21,7 +21,7 @@ use test_pictures::window::Painter;
 /// A new window with the default size.
 pub struct Hand {
     pub window: Harness<'static, Window>,
-    /// Gets something each time when the window asks for a frame.
+    /// Gets a message each time the window asks for a frame.
     asked: Receiver<()>,
 }
 
@@ -39,14 +39,14 @@ pub fn hand_with(document: &Document) -> (Hand, tempfile::TempDir, PathBuf) {
     (with(start, vec2(1280.0, 800.0), Theme::Light), folder, path)
 }
 
-/// A window with these arguments.
+/// A window that starts with these settings, with this size and theme.
 pub fn with(start: Start, size: Vec2, theme: Theme) -> Hand {
     let mut hand = opened(start, size, theme);
     hand.rest();
     hand
 }
 
-/// The same after its first frame; files may still be read.
+/// A window after its first frame; files may still be being read.
 pub fn opened(mut start: Start, size: Vec2, theme: Theme) -> Hand {
     start.settings.theme = theme.into();
     let (ask, asked) = channel();
@@ -56,7 +56,7 @@ pub fn opened(mut start: Start, size: Vec2, theme: Theme) -> Hand {
         .with_step_dt(1.0 / 60.0)
         .renderer(LazyRenderer::new(Painter::default))
         .build_eframe(|cc| {
-            // Nobody listens any more when the test has ended.
+            // The receiver no longer exists when the test has ended.
             cc.egui_ctx.set_request_repaint_callback(move |_| {
                 let _ = ask.send(());
             });
@@ -65,7 +65,7 @@ pub fn opened(mut start: Start, size: Vec2, theme: Theme) -> Hand {
     Hand { window, asked }
 }
 
-/// A file that is empty until it is written to: whoever reads it waits.
+/// Replaces a file by a pipe: whoever reads it blocks until it is written to.
 #[cfg(unix)]
 pub fn pipe(file: &std::path::Path) {
     let made = std::process::Command::new("mkfifo").arg(file).status().unwrap();
@@ -73,14 +73,14 @@ pub fn pipe(file: &std::path::Path) {
 }
 
 impl Hand {
-    /// Waits until a task of the window asks for a frame, but no longer than for a part of a frame.
+    /// Waits until a task of the window asks for a frame, but for less than the duration of a frame.
     pub fn wait_for_tasks(&self) {
-        // Those that the last frame asked for itself.
+        // Removes the requests that the last frame made itself.
         while self.asked.try_recv().is_ok() {}
         let _ = self.asked.recv_timeout(Duration::from_millis(4));
     }
 
-    /// Runs a few frames, and a few more after files were read or written and the sketch was read.
+    /// Runs a few frames, waits for files and for the sketch to be read, and runs a few more frames.
     #[track_caller]
     pub fn rest(&mut self) {
         let began = Instant::now();
@@ -123,7 +123,7 @@ impl Hand {
         self.window.get_by_role(Role::Canvas).rect()
     }
 
-    /// The position on the screen of a px of the canvas, which is fitted as by [`dapple::app`].
+    /// The position of a px of the canvas on the screen, where the canvas is fitted as in [`dapple::app`].
     pub fn at(&self, [x, y]: [f64; 2]) -> Pos2 {
         self.window.state().screen(self.canvas(), [x, y])
     }
@@ -133,7 +133,7 @@ impl Hand {
         self.drag_with(path, Modifiers::NONE);
     }
 
-    /// The same with a key held.
+    /// Drags from px to px of the canvas with a key held.
     pub fn drag_with(&mut self, path: &[[f64; 2]], modifiers: Modifiers) {
         let path: Vec<Pos2> = path.iter().map(|point| self.at(*point)).collect();
         self.window.event(egui::Event::ModifiersChanged(modifiers));
@@ -160,7 +160,7 @@ impl Hand {
         self.drag(&[point, point]);
     }
 
-    /// Draws an ellipse as a freehand stroke: once around, in some 60 points.
+    /// Draws an ellipse as a freehand stroke: once around, with about 60 points.
     pub fn draw_round(&mut self, center: [f64; 2], radii: [f64; 2], degrees: f64) {
         let (sin, cos) = degrees.to_radians().sin_cos();
         let path: Vec<[f64; 2]> = (0..=60)
@@ -189,7 +189,7 @@ impl Hand {
         self.click_on(name, |window| window.query_by_role_and_label(role, name).map(|node| node.rect()));
     }
 
-    /// Clicks on what has a name that begins, ends or goes on with these words.
+    /// Clicks on the control whose name contains these words.
     #[track_caller]
     pub fn click_label(&mut self, words: &str) {
         self.click_on(words, |window| window.query_by_label_contains(words).map(|node| node.rect()));
@@ -225,7 +225,8 @@ impl Hand {
         self.key(Modifiers::NONE, Key::Enter);
     }
 
-    /// The same for a file that opens or saves slowly: the dialog is closed afterwards, the file not yet read or written.
+    /// Types a path into the file dialog, for a file that is opened or saved slowly. Afterwards the dialog is closed,
+    /// and the file is not yet read or written.
     pub fn type_slow_path(&mut self, name: &str, path: &std::path::Path) {
         self.type_path_only(name, path);
         self.window.key_press_modifiers(Modifiers::NONE, Key::Enter);
@@ -279,7 +280,7 @@ impl Hand {
     /// Waits until the texture has settled.
     #[track_caller]
     pub fn until_settled(&mut self) {
-        // What is wanted between the marks is computed afterwards.
+        // The sizes and directions between marks are computed afterwards.
         let is_settled = |window: &Window| matches!(window.growth_state(), GrowthState::Settled(_));
         self.until("settled", |window| is_settled(window) && !window.is_busy_with_sketch());
     }

@@ -90,7 +90,7 @@ fn act(session: &mut Session, deed: &Deed) {
         Deed::Remove(index) => session.remove(&some(session, *index).into_iter().collect::<Vec<_>>()),
         Deed::Nudge(by) => session.nudge(*by),
         Deed::Replace(index, mark) => {
-            // Only by a mark of its own kind: a user cannot turn an ellipse into a line.
+            // A mark is only replaced by one of the same kind: a user cannot turn an ellipse into a line.
             if let Some(place) = some(session, *index)
                 && std::mem::discriminant(&session.mark(place).unwrap()) == std::mem::discriminant(mark)
             {
@@ -153,7 +153,7 @@ proptest! {
     }
 
     #[test]
-    fn whatever_is_drawn_can_be_saved_and_read_again(deeds in prop::collection::vec(deed(), 1..40)) {
+    fn every_drawn_sketch_can_be_saved_and_read_again(deeds in prop::collection::vec(deed(), 1..40)) {
         let mut session = Session::open(Document::default(), None);
         for deed in &deeds {
             act(&mut session, deed);

@@ -15,7 +15,7 @@ use crate::documents::drop_file;
 use crate::hand::{Hand, hand, with};
 use crate::sights::see;
 
-/// Dark ellipses on light ground, 7 × 5, with small discs between them, in falling light.
+/// A photograph with dark ellipses on light ground, 7 × 5, with small discs between them, in uneven light.
 fn pelt(folder: &Path) -> PathBuf {
     let picture = RgbImage::from_fn(420, 300, |x, y| {
         let (x, y) = (f64::from(x) + 0.5, f64::from(y) + 0.5);
@@ -32,7 +32,7 @@ fn pelt(folder: &Path) -> PathBuf {
     path
 }
 
-/// Squares of 30 px: neither spots nor stripes.
+/// A chessboard with squares of 30 px: neither spots nor stripes.
 fn chessboard(folder: &Path) -> PathBuf {
     let path = folder.join("board.png");
     let tone = |x: u32, y: u32| if (x / 30 + y / 30).is_multiple_of(2) { [30; 3] } else { [220; 3] };
@@ -40,7 +40,7 @@ fn chessboard(folder: &Path) -> PathBuf {
     path
 }
 
-/// Drops a photograph and asks for a sketch from it; once it has been read.
+/// Drops a photograph, asks for a sketch from it, and waits until it is read.
 fn drop_photo(hand: &mut Hand, path: &Path) {
     drop_file(hand, path);
     hand.press("Sketch from it");
@@ -50,12 +50,12 @@ fn options(hand: &Hand) -> PhotoOptions {
     hand.window.state().importing().expect("the dialog is open").options
 }
 
-/// What the library makes of the photograph.
+/// The document that the library makes from the photograph.
 fn imported(path: &Path, options: PhotoOptions) -> Document {
     import_photo(path, &options).unwrap().document
 }
 
-/// Whole spots, as the dialog says.
+/// The number of whole spots in the dialog.
 #[track_caller]
 fn spots(hand: &Hand) -> usize {
     let heading = hand.window.get_by_label_contains("whole spots");
@@ -82,7 +82,7 @@ fn drag(hand: &mut Hand, from: Pos2, to: Pos2) {
     hand.rest();
 }
 
-/// Drags a slider to a share of its length; its value stands behind it.
+/// Drags a slider to a share of its length.
 fn slide(hand: &mut Hand, name: &str, share: f32) {
     const LENGTH: f32 = 84.0;
     let rect = hand.window.get_by_role_and_label(Role::Slider, name).rect();
@@ -164,7 +164,7 @@ fn regions_layers_and_the_other_phase_are_chosen() {
 }
 
 #[test]
-fn what_is_no_texture_is_refused_with_the_reason_and_can_be_taken_anyway() {
+fn a_picture_without_a_pattern_is_refused_with_the_reason_and_can_be_taken_anyway() {
     let folder = tempfile::tempdir().unwrap();
     let path = chessboard(folder.path());
     let mut hand = hand();
@@ -180,7 +180,7 @@ fn what_is_no_texture_is_refused_with_the_reason_and_can_be_taken_anyway() {
 }
 
 #[test]
-fn a_picture_without_marks_and_a_file_that_is_no_picture_say_so() {
+fn a_picture_without_marks_and_a_file_that_is_no_picture_are_reported() {
     let folder = tempfile::tempdir().unwrap();
     let plain = folder.path().join("plain.png");
     RgbImage::from_pixel(200, 160, Rgb([120, 100, 90])).save(&plain).unwrap();
@@ -198,7 +198,7 @@ fn a_picture_without_marks_and_a_file_that_is_no_picture_say_so() {
 }
 
 #[test]
-fn cancel_leaves_everything_as_it_was() {
+fn cancel_changes_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let path = pelt(folder.path());
     let mut hand = hand();
@@ -257,7 +257,7 @@ fn unsaved_work_is_asked_about_before_the_sketch_replaces_it() {
     assert_eq!(hand.document().layers[0].strokes.len(), 35);
 }
 
-/// The place of px of the photograph on the screen.
+/// The place of a px of the photograph on the screen.
 fn on_screen(hand: &Hand, [x, y]: [f32; 2]) -> Pos2 {
     let dialog = hand.window.state().importing().unwrap();
     let (from, to) = (dialog.corner(0), dialog.corner(2));
@@ -310,7 +310,7 @@ fn with_shift_the_corners_stay_a_rectangle_and_the_whole_photograph_comes_back()
     assert_eq!((options(&hand), spots(&hand)), (PhotoOptions::default(), 59));
 }
 
-/// A photograph of a grown texture; without noise, which would make the stored pictures large.
+/// A photograph of a grown texture. It has no noise, which would make the stored pictures large.
 fn photographed(folder: &Path, example: &str) -> PathBuf {
     let file = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("examples/{example}.dapple"));
     let document = Document::read(file).unwrap();
@@ -357,7 +357,7 @@ fn a_photograph_taken_upright_lies_upright_under_the_canvas_too() {
     let mut jpeg = Vec::new();
     let wide = image::open(pelt(folder.path())).unwrap().into_rgb8();
     wide.write_with_encoder(image::codecs::jpeg::JpegEncoder::new_with_quality(&mut jpeg, 90)).unwrap();
-    // The EXIF orientation 6: to be turned by a quarter.
+    // EXIF orientation 6: the photograph is to be rotated by 90°.
     let exif = b"Exif\0\0MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0";
     let length = (exif.len() + 2) as u16;
     let path = folder.path().join("upright.jpg");
@@ -367,14 +367,14 @@ fn a_photograph_taken_upright_lies_upright_under_the_canvas_too() {
     drop_file(&mut hand, &path);
     hand.press("Reference picture");
     hand.until("the picture", Window::has_reference);
-    // 300 × 420 px on a canvas of 512 × 512.
+    // 300 × 420 px, on a canvas of 512 × 512 px.
     assert_eq!(hand.window.state().reference().unwrap().scale, 512.0 / 420.0);
     drop_photo(&mut hand, &path);
     hand.press("Open the sketch");
     assert_eq!(hand.document().size, [300, 420]);
 }
 
-/// Resident memory and its peak so far, MB.
+/// Resident memory of this process and its peak so far, MB.
 #[cfg(target_os = "linux")]
 fn memory() -> [u64; 2] {
     let status = std::fs::read_to_string("/proc/self/status").unwrap();

@@ -68,7 +68,7 @@ fn is_focused(hand: &Hand, name: &str) -> bool {
 }
 
 #[test]
-fn menus_are_opened_and_walked_through_by_keys() {
+fn menus_are_opened_and_navigated_by_keys() {
     let mut hand = hand();
     hand.key(Modifiers::SHIFT, Key::E);
     hand.key(Modifiers::ALT, Key::F);
@@ -117,7 +117,7 @@ fn the_menu_of_marks_is_opened_by_key_and_by_the_secondary_button() {
 }
 
 #[test]
-fn brackets_change_the_width_of_lines_and_of_the_pen() {
+fn bracket_keys_change_the_width_of_lines_and_of_the_pen() {
     let mut hand = hand();
     hand.key(Modifiers::NONE, Key::CloseBracket);
     hand.drag(&[[100.0, 100.0], [200.0, 150.0], [300.0, 200.0]]);
@@ -127,7 +127,7 @@ fn brackets_change_the_width_of_lines_and_of_the_pen() {
 }
 
 #[test]
-fn undo_in_a_text_field_is_the_fields_own() {
+fn undo_in_a_text_field_only_undoes_typing() {
     let mut hand = hand();
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
     hand.key(Modifiers::NONE, Key::F2);

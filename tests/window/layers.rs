@@ -13,7 +13,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 
 use crate::hand::{Hand, hand};
 
-/// Two layers: two ellipses, and above them a line, which is the active layer.
+/// A window with two layers: two ellipses, and above them a line, which is the active layer.
 fn two() -> Hand {
     let mut hand = hand();
     hand.key(Modifiers::NONE, Key::E);
@@ -46,7 +46,7 @@ fn kinds(hand: &Hand) -> Vec<bool> {
     layers.iter().map(|layer| layer.strokes[0].kind() == Some(Kind::Ellipse)).collect()
 }
 
-/// Chooses from a list that drops down.
+/// Chooses an entry of a drop-down list.
 fn choose(hand: &mut Hand, list: &str, item: &str) {
     hand.click_role(Role::ComboBox, list);
     hand.rest();
@@ -69,7 +69,7 @@ fn tab_to(hand: &mut Hand, name: &str) {
 }
 
 #[test]
-fn the_rows_say_what_each_layer_holds_the_highest_first() {
+fn the_rows_list_the_content_of_each_layer_the_highest_first() {
     let hand = two();
     assert_eq!(rows(&hand), ["Layer layer 2, 1 line", "Layer layer 1, 2 ellipses"]);
     assert_eq!(at_hand(&hand), 1);
@@ -197,13 +197,13 @@ fn a_frozen_layer_cannot_be_edited_until_its_snowflake_is_clicked() {
     assert_eq!(rows(&hand), ["Layer layer 2, empty", "Layer layer 1, 1 ellipse, frozen"]);
     hand.drag(&[[200.0, 200.0], [220.0, 214.0]]);
     assert_eq!(hand.document().layers.iter().map(|layer| layer.strokes.len()).collect::<Vec<_>>(), [1, 1]);
-    // Neither the eraser nor select all affects a frozen layer.
+    // Neither the eraser nor *Select all* affects a frozen layer.
     hand.key(Modifiers::NONE, Key::X);
     hand.drag(&[[60.0, 92.0], [100.0, 92.0], [140.0, 92.0]]);
     hand.key(Modifiers::COMMAND, Key::A);
     hand.key(Modifiers::NONE, Key::Delete);
     assert_eq!(hand.ellipses().len(), 1);
-    // A click on one of its marks or on its row selects it only.
+    // A click on one of its marks or on its row only selects the layer.
     let state = |hand: &Hand| (at_hand(hand), hand.window.state().session().frozen());
     hand.key(Modifiers::NONE, Key::V);
     hand.click([100.0, 92.0]);
@@ -234,7 +234,7 @@ fn layers_are_edited_by_keys_alone() {
     hand.window.event(egui::Event::Text("rings".to_owned()));
     hand.window.step();
     hand.key(Modifiers::NONE, Key::Enter);
-    // The row is reached by Tab; then down, up, moved, renamed.
+    // Tab reaches the row; then the keys move down and up, move the layer, and rename it.
     tab_to(&mut hand, "Layer rings, 1 line");
     hand.key(Modifiers::NONE, Key::ArrowDown);
     assert_eq!(at_hand(&hand), 0);
@@ -255,8 +255,8 @@ fn layers_are_edited_by_keys_alone() {
     hand.key(Modifiers::NONE, Key::Enter);
     assert_eq!(hand.document().layers[1].name, "rosettes");
     assert!(hand.window.get_by_role_and_label(Role::Button, "Layer rosettes, 1 line").is_focused());
-    // Then the details, which Space opens; then the picture of rings.
-    for name in ["How it grows", "Meets: Around"] {
+    // Then the details, which Space opens; then the picture for rings.
+    for name in ["How it grows", "Grows: Around"] {
         tab_to(&mut hand, name);
         hand.key(Modifiers::NONE, Key::Space);
     }
@@ -282,7 +282,7 @@ fn layers_beneath_are_not_grown_again_and_are_shown_under_the_canvas() {
         hand.window.state().settled().unwrap().grown.layers[0].marks().expect("marks").marks.values.clone();
     hand.key(Modifiers::NONE, Key::F);
     hand.until("the picture of the frozen layer", Window::has_underlay);
-    // The lowest layer is reused: the first that grows is the second.
+    // The lowest layer is reused, so the first layer that grows is the second one.
     hand.draw_round([300.0, 300.0], [9.0, 6.0], 100.0);
     hand.until_settled();
     let grown = &hand.window.state().settled().unwrap().grown;
@@ -290,7 +290,7 @@ fn layers_beneath_are_not_grown_again_and_are_shown_under_the_canvas() {
     assert_eq!(grown.layers[0].marks().expect("marks").marks.values, below);
     assert_eq!(hand.window.state().growth().reused, 1);
     hand.until("the picture of the frozen layer", Window::has_underlay);
-    // Unfrozen, nothing is shown under it any more.
+    // When the layer is unfrozen, nothing is shown under it any more.
     hand.press("Unfreeze layer 1");
     assert!(!hand.window.state().has_underlay());
 }
@@ -301,7 +301,7 @@ fn an_ellipse_on_a_layer_of_rings_asks_before_it_gets_another_layer() {
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
     hand.key(Modifiers::NONE, Key::F);
     hand.press("How it grows");
-    hand.press("Meets: Around");
+    hand.press("Grows: Around");
     hand.draw_round([350.0, 200.0], [40.0, 20.0], 30.0);
     assert!(hand.window.query_by_label("Draw it on another layer?").is_some());
     hand.press("Cancel");
@@ -312,7 +312,7 @@ fn an_ellipse_on_a_layer_of_rings_asks_before_it_gets_another_layer() {
 }
 
 #[test]
-fn a_new_layer_for_another_kind_of_mark_is_told() {
+fn a_new_layer_for_another_kind_of_mark_is_reported() {
     let mut hand = hand();
     hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
     hand.drag(&[[100.0, 300.0], [200.0, 310.0], [300.0, 320.0]]);

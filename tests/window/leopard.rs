@@ -9,7 +9,7 @@ use egui::{Key, Modifiers};
 use crate::hand::{Hand, hand};
 use crate::sights::see;
 
-/// Applies these colours and waits until the picture has them, also that of the frozen layers under the sketch.
+/// Applies these colours, and waits until the picture has them, also the picture of the frozen layers under the sketch.
 fn recolour(hand: &mut Hand, preset: &str) {
     let image = |window: &Window| window.growth().picture.as_ref().map(|picture| Arc::clone(&picture.image));
     let before = image(hand.window.state());
@@ -31,13 +31,13 @@ fn from_an_empty_canvas_to_a_leopard() {
     }
     hand.until_settled();
     hand.window.state_mut().hide_times();
-    // Nothing is selected: what is wanted shows as well.
+    // Nothing is selected, so that the sizes and directions between marks are shown.
     hand.key(Modifiers::NONE, Key::Escape);
     see(&mut hand, "leopard-1");
 
     hand.press("Freeze layer and start the next");
     hand.press("How it grows");
-    hand.press("Meets: Around");
+    hand.press("Grows: Around");
     hand.type_into("Line width", "7.5");
     hand.drag(&[[300.0, 300.0], [340.0, 310.0], [380.0, 320.0], [410.0, 330.0]]);
     hand.type_into("Broken", "35");

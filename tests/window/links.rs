@@ -1,4 +1,4 @@
-//! Links that hold a document: copied, pasted, and what a page of others shows of the window.
+//! Links that hold a document: they are copied and pasted. Also the parts of the window that are shown in another page.
 
 use dapple::app::{Presentation, Start};
 use dapple::document::Document;
@@ -16,7 +16,7 @@ fn example(name: &str) -> Document {
     Document::read(folder.join(format!("{name}.dapple"))).unwrap()
 }
 
-/// Clicks on an entry or a button, and gives the text that was copied in the frames after it.
+/// Clicks on an entry or a button; returns the text that was copied in the frames after that.
 fn copied(hand: &mut Hand, name: &str) -> Option<String> {
     hand.click_label(name);
     let mut text = None;
@@ -102,7 +102,7 @@ fn the_window_opens_with_the_document_of_a_link() {
 }
 
 #[test]
-fn of_a_long_document_the_file_is_offered_and_the_link_copied_where_that_is_wanted() {
+fn for_a_long_document_a_file_is_offered_and_the_link_copied_on_request() {
     let (mut hand, _folder, _) = hand_with(&example("camouflage"));
     hand.press("Edit");
     assert_eq!(copied(&mut hand, "Copy link"), None);

@@ -1,4 +1,4 @@
-//! The window, driven by pointer and keys as by a user.
+//! The window, operated by pointer and keys like a user does.
 #![cfg(feature = "app")]
 
 mod access;
@@ -30,7 +30,7 @@ mod views;
 
 use proptest::test_runner::Config;
 
-/// This many random cases, or as many as `PROPTEST_CASES` says (`.ci/property`).
+/// This number of random cases, or the number in `PROPTEST_CASES` (`.ci/property`).
 fn cases(usual: u32) -> Config {
     let asked = std::env::var("PROPTEST_CASES").ok().and_then(|text| text.parse().ok());
     Config::with_cases(asked.unwrap_or(usual))

@@ -1,4 +1,4 @@
-//! Outlines of patches in the window: they are opened, moved, grown and saved as what they are.
+//! Outlines of patches in the window: they are opened, moved, grown and saved with their own shapes.
 
 use super::hand::{Hand, hand_with};
 use dapple::ReadFile;
@@ -56,7 +56,7 @@ fn a_document_of_outlines_grows_in_the_window() {
     assert_eq!(hand.document(), before);
 }
 
-/// A star of 40 px about a centre, as the pen draws it.
+/// A star-shaped path of 40 px about a centre, as the pen draws it.
 fn star([x, y]: [f64; 2]) -> Vec<[f64; 2]> {
     let turns = (0..=200).map(|k| f64::from(k) / 200.0 * std::f64::consts::TAU);
     turns
@@ -110,7 +110,7 @@ fn a_stroke_over_the_border_stays_where_it_was_drawn_and_is_dragged_farther() {
     let layer = Layer::new([Stroke::ellipse([60.0, 60.0], [20.0, 15.0], 0.0)]);
     let (mut hand, _folder, path) = hand_with(&Document::new([400, 300]).with_layer(layer));
     hand.key(Modifiers::NONE, Key::B);
-    // The pen begins on the canvas.
+    // The stroke begins on the canvas.
     hand.draw_round([405.0, 200.0], [30.0, 20.0], 180.0);
     let center = |hand: &Hand| hand.ellipses()[1].center;
     let [x, y] = center(&hand);

@@ -49,7 +49,7 @@ fn preferences_are_remembered() {
 }
 
 #[test]
-fn what_was_changed_last_is_written_when_the_window_closes() {
+fn the_last_change_is_written_when_the_window_closes() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("settings");
     let mut hand = at(&file);
@@ -61,7 +61,7 @@ fn what_was_changed_last_is_written_when_the_window_closes() {
 }
 
 #[test]
-fn settings_that_cannot_be_written_are_reported_once_and_the_window_goes_on() {
+fn settings_that_cannot_be_written_are_reported_once_and_the_window_stays_usable() {
     let folder = tempfile::tempdir().unwrap();
     let mut hand = at(&folder.path().join("dapple/settings"));
     std::fs::write(folder.path().join("dapple"), "a file where a folder should be").unwrap();
@@ -141,7 +141,7 @@ fn a_number_field_that_is_left_without_typing_changes_nothing() {
 }
 
 #[test]
-fn any_number_of_threads_grows_the_same() {
+fn any_number_of_threads_grows_the_same_texture() {
     let mut document = Document { size: [128, 128], ..Document::default() };
     let ellipses = [[40.0, 40.0], [80.0, 50.0], [60.0, 90.0]];
     let strokes = ellipses.map(|center| Stroke::Ellipse(Ellipse { center, radii: [9.0, 6.0], angle: 20.0 }));
@@ -155,7 +155,7 @@ fn any_number_of_threads_grows_the_same() {
         start.settings.threads = threads;
         let mut hand = with(start, vec2(1280.0, 800.0), Theme::Light);
         hand.until_settled();
-        // With more px it is grown again, with the threads of the export.
+        // With more px, the texture is grown again, with the number of threads for exports.
         let path = folder.path().join(format!("{threads:?}.png"));
         hand.window.state_mut().export(&path, Some([96, 96]), 1);
         hand.until("the picture", |window| !window.notices().is_empty());

@@ -15,7 +15,7 @@ use crate::hand::{opened, pipe};
 
 const RESTORE: &str = "Restore";
 
-/// A window that keeps its unsaved work in `folder`. Dropping it has the same effect as a kill.
+/// A window that backs up its unsaved work in `folder`. Dropping it has the same effect as a kill.
 fn window(folder: &Path, file: Option<&Path>) -> Hand {
     with(start(folder, file), vec2(1280.0, 800.0), Theme::Light)
 }
@@ -202,7 +202,7 @@ fn several_backups_can_be_postponed_by_keys_alone() {
     // The first one has the focus.
     hand.key(Modifiers::NONE, Key::Enter);
     assert_eq!(hand.strokes().len(), 1);
-    // The restored document is unsaved: the window asks before it opens the other one.
+    // The restored document is unsaved, so the window asks before it opens the other one.
     hand.window.get_by_label("File").click();
     hand.rest();
     hand.click_label("Recover unsaved work");

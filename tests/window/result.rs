@@ -1,4 +1,4 @@
-//! The result: requested and grown attributes, and marks changed to reachable attributes.
+//! The result: asked and grown attributes, and marks that are changed to reachable attributes.
 
 use std::fs;
 
@@ -14,7 +14,8 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use crate::hand::{Hand, hand, hand_with};
 use crate::sights::picture;
 
-/// Four spots in the left half of a small canvas, `apart` px from each other; the right half takes their attributes.
+/// A document with four spots in the left half of a small canvas, `apart` px from each other; the right half takes
+/// their attributes.
 fn spots(radius: f64, apart: f64) -> Document {
     let center = |[x, y]: [f64; 2]| [16.0 + x * apart, 50.0 + y * apart];
     let strokes: Vec<String> = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.87], [1.5, 0.87]]
@@ -75,7 +76,7 @@ fn the_numbers_are_those_of_the_report() {
         }
         assert_eq!(output["notes"], serde_json::json!(region.notes));
     }
-    // They are on the screen, too.
+    // The numbers are on the screen, too.
     let area = outcome.layers[0].regions[0].report.asked.scaled(1.0);
     let dapple_engine::attributes::Attributes::Spots(area) = area else { panic!() };
     let text = format!("{:.0} px²", area.area);
@@ -112,7 +113,7 @@ fn marks_that_cannot_be_reached_are_changed_to_reachable_ones_in_one_step() {
     let outcome = hand.window.state().results().outcome().unwrap().clone();
     assert!(outcome.layers[0].regions.iter().all(|region| region.report.beyond.is_empty()));
     assert!(hand.window.query_by_label("Cannot be reached").is_none());
-    // Distances were changed, areas hardly: those of the densest examples are one per cent larger.
+    // The distances were changed; the areas hardly, because those of the densest examples are one per cent larger.
     let areas = |document: &Document| -> Vec<f64> {
         document.layers[0]
             .strokes
@@ -176,7 +177,7 @@ fn a_region_is_chosen_by_keys_alone() {
 }
 
 #[test]
-fn what_can_be_reached_is_not_sought_before_it_is_shown() {
+fn reachable_marks_are_not_searched_for_before_the_tab_is_shown() {
     let (mut hand, ..) = hand_with(&spots(11.0, 26.0));
     hand.until_settled();
     hand.until("measured", |window| window.results().for_texture(window.settled()).is_some());
@@ -210,7 +211,7 @@ fn the_training_cloud_shows_the_question_and_the_rows_of_the_answer() {
     let area_axis = Axis::Attribute(Attribute::Area);
     let area = points.value(&points.asked, area_axis);
     assert!((area / (64.0 * std::f64::consts::PI) - 1.0).abs() < 1e-6, "{area}");
-    // The rows that weigh most are like the question.
+    // The rows with the largest weights are similar to the question.
     let (nearest, _) = &points.neighbours[0];
     assert!((points.value(nearest, area_axis) / area).ln().abs() < 0.5);
     assert!(hand.window.query_by_label_contains("Along x").is_some());
@@ -243,7 +244,7 @@ fn another_document_has_its_own_results() {
 }
 
 #[test]
-fn a_miss_is_shown_on_the_tab_and_in_the_region_whatever_the_tab_is() {
+fn a_missed_region_is_marked_on_the_tab_and_in_the_region_on_every_tab() {
     let (mut hand, ..) = hand_with(&spots(11.0, 26.0));
     hand.until_settled();
     hand.until("measured", |window| window.results().for_texture(window.settled()).is_some());

@@ -4,7 +4,7 @@ use egui::{Event, Key, Modifiers};
 
 use crate::hand::{Hand, hand};
 
-/// Ellipses of 40 × 20 px at these x, with the selection tool.
+/// A window with ellipses of 40 × 20 px at these x, with the tool *Select*.
 fn row(places: &[f64]) -> Hand {
     let mut hand = hand();
     hand.key(Modifiers::NONE, Key::E);
@@ -44,7 +44,7 @@ fn a_mark_is_moved_but_not_off_the_canvas() {
     let moved = hand.ellipses()[0].center;
     assert!((moved[0] - 180.0).abs() < 0.1 && (moved[1] - 260.0).abs() < 0.1, "{moved:?}");
     hand.drag(&[[180.0, 260.0], [100.0, 260.0], [-60.0, 260.0]]);
-    // One px of its radius of 20 stays on it.
+    // One px of its radius of 20 px stays on the canvas.
     assert!((hand.ellipses()[0].center[0] + 19.0).abs() < 0.01, "{:?}", hand.ellipses()[0]);
 }
 
@@ -65,7 +65,7 @@ fn handles_resize_and_turn() {
 fn several_are_scaled_by_their_box() {
     let mut hand = row(&[100.0, 200.0]);
     hand.key(Modifiers::COMMAND, Key::A);
-    // The box is 4 points larger than the marks in it.
+    // The frame is 4 points larger than the marks in it.
     let off = 4.0 / f64::from((hand.at([1.0, 0.0]) - hand.at([0.0, 0.0])).x);
     hand.drag(&[[220.0 + off, 210.0 + off], [300.0, 220.0], [360.0, 230.0 + off]]);
     let [a, b] = hand.ellipses()[..] else { panic!() };
@@ -136,7 +136,7 @@ fn a_copy_is_made_by_ctrl_drag_and_none_by_a_click() {
 }
 
 #[test]
-fn marks_are_pasted_at_the_pointer_and_never_on_their_doubles() {
+fn marks_are_pasted_at_the_pointer_and_never_exactly_on_identical_marks() {
     let mut hand = row(&[100.0]);
     hand.click([100.0, 200.0]);
     let text = hand.window.state().session().copy().unwrap();
@@ -165,7 +165,7 @@ fn the_pen_draws_again_after_all_marks_were_selected_and_deleted() {
 }
 
 #[test]
-fn sums_are_typed_into_number_fields() {
+fn arithmetic_is_typed_into_number_fields() {
     let mut hand = row(&[100.0]);
     hand.click([100.0, 200.0]);
     hand.type_into("Centre x", "20*1.5 + 10");

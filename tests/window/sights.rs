@@ -17,7 +17,8 @@ fn example(name: &str) -> Start {
     Start { file: Some(file), ..Start::default() }
 }
 
-/// Takes the pointer away, and waits for what is shown later: the results of a texture, and its picture for another zoom.
+/// Moves the pointer away, and waits for what is shown later: the results of a texture, and its picture for another
+/// zoom.
 #[track_caller]
 fn prepare(hand: &mut Hand) {
     hand.window.remove_cursor();
@@ -37,13 +38,13 @@ pub fn picture(hand: &mut Hand) -> RgbaImage {
     on_background(hand, picture)
 }
 
-/// Lays a picture whose background is transparent on the colour to which the window is cleared.
+/// Lays a picture with a transparent background on the colour to which the window is cleared.
 fn on_background(hand: &Hand, mut picture: RgbaImage) -> RgbaImage {
     let window = hand.window.state();
     let background = window.clear_color(&hand.window.ctx.global_style().visuals).map(|part| 255.0 * part);
     for pixel in picture.pixels_mut() {
         let behind = 1.0 - f32::from(pixel.0[3]) / 255.0;
-        // Its colours are multiplied by its opacity.
+        // The colours of the picture are multiplied by its opacity.
         pixel.0 =
             [0, 1, 2, 3].map(|part| (f32::from(pixel.0[part]) + behind * background[part]).round() as u8);
     }
@@ -100,7 +101,7 @@ fn a_selected_ellipse_in_a_new_document() {
 }
 
 #[test]
-fn what_dapple_sees() {
+fn the_analysis_of_the_sketch() {
     let mut hand = with(example("turning-spots"), SMALL.into(), Theme::Light);
     hand.press("Canvas");
     hand.press("Analysis of the sketch");
@@ -134,7 +135,7 @@ fn a_bad_file_is_reported_in_a_notice() {
 }
 
 #[test]
-fn one_over_the_other_with_tiles() {
+fn the_texture_over_the_sketch_with_tiles() {
     let mut hand = with(example("tile-petals"), SMALL.into(), Theme::Light);
     hand.until_settled();
     hand.window.state_mut().hide_times();

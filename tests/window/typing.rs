@@ -1,4 +1,4 @@
-//! Numbers that are typed for several marks and for regions, the grid that marks snap to, menus, the eyedropper.
+//! Numbers that are typed for several marks and for regions; the grid to which marks snap; menus; the eyedropper.
 
 use dapple::document::{Colours, Document, Stroke};
 use egui::{Key, Modifiers};
@@ -31,7 +31,7 @@ fn the_numbers_of_a_chosen_region_are_typed_and_its_marks_follow() {
     assert!((hand.ellipses()[2].area() - 314.16).abs() < 0.1);
     hand.key(Modifiers::COMMAND, Key::Z);
     assert!((hand.ellipses()[0].area() - 314.16).abs() < 0.1, "one step");
-    // The pointer elsewhere shows no other region.
+    // Moving the pointer does not show another region.
     let at = hand.at([400.0, 100.0]);
     hand.window.hover_at(at);
     hand.rest();
@@ -39,21 +39,21 @@ fn the_numbers_of_a_chosen_region_are_typed_and_its_marks_follow() {
 }
 
 #[test]
-fn the_period_of_selected_lines_is_typed() {
+fn the_spacing_of_selected_lines_is_typed() {
     let mut hand = hand();
     hand.key(Modifiers::NONE, Key::L);
     for y in [100.0, 120.0, 140.0] {
         hand.drag(&[[100.0, y], [200.0, y], [300.0, y]]);
     }
     hand.key(Modifiers::COMMAND, Key::A);
-    hand.type_into("Period of all", "20 + 10");
+    hand.type_into("Line spacing of all", "20 + 10");
     let offsets: Vec<f64> = hand.lines().iter().map(|line| line.from[1]).collect();
     let apart: Vec<f64> = offsets.windows(2).map(|pair| pair[1] - pair[0]).collect();
     assert!(apart.iter().all(|apart| (apart - 30.0).abs() < 0.1), "{offsets:?}");
 }
 
 #[test]
-fn what_is_drawn_and_moved_snaps_to_the_grid() {
+fn drawn_and_moved_marks_snap_to_the_grid() {
     let mut hand = hand();
     hand.press("Canvas");
     hand.press("Snap to grid");
@@ -114,7 +114,7 @@ fn a_colour_is_taken_from_the_texture() {
     assert_eq!(hand.strokes(), before, "nothing is drawn");
 }
 
-/// A stroke of a pen with this pressure, from px to px of the canvas.
+/// Draws a stroke of a pen with this pressure, from px to px of the canvas.
 fn pen(hand: &mut Hand, path: &[[f64; 2]], force: f32) {
     let touch = |pos, phase| egui::Event::Touch {
         device_id: egui::TouchDeviceId(1),
@@ -169,7 +169,7 @@ fn the_pressure_of_a_pen_sets_the_width_and_the_size_of_dabs() {
 }
 
 #[test]
-fn crossing_lines_are_moved_to_a_layer_of_their_own() {
+fn crossing_lines_are_moved_to_a_new_layer() {
     let mut hand = hand();
     hand.key(Modifiers::NONE, Key::L);
     hand.drag(&[[100.0, 200.0], [200.0, 200.0], [300.0, 200.0]]);

@@ -107,7 +107,7 @@ fn the_sketch_under_the_texture_can_be_drawn_on() {
 }
 
 #[test]
-fn a_window_with_unsaved_work_asks_before_closing() {
+fn a_window_with_unsaved_work_asks_before_it_closes() {
     let mut hand = hand();
     hand.draw_round([120.0, 200.0], [40.0, 20.0], 30.0);
     let root = hand.window.input_mut().viewports.entry(ViewportId::ROOT).or_default();
@@ -123,7 +123,7 @@ fn a_window_with_unsaved_work_asks_before_closing() {
 }
 
 #[test]
-fn what_is_drawn_over_the_texture_is_seen_while_it_is_drawn() {
+fn a_stroke_over_the_texture_is_visible_while_it_is_drawn() {
     let mut hand = hand();
     hand.draw_round([120.0, 200.0], [40.0, 20.0], 30.0);
     hand.until_settled();

@@ -1,4 +1,4 @@
-// Opens the page that proves it in a real browser, and fails where it finds a difference.
+// Opens the page that compares the bytes in a real browser, and fails where the page finds a difference.
 //
 //   node chromium.mjs PLAYWRIGHT-CORE FOLDER [SCREENSHOT.png]
 

@@ -1,8 +1,8 @@
-// Grows documents by the desktop's program and by the engine as WebAssembly, and compares the bytes of their files.
+// Grows documents with the desktop program and with the engine as WebAssembly, and compares the bytes of the written files.
 //
 //   node compare.mjs PROGRAM MODULE.wasm [--table TABLE.json] FILE…
 //
-// --table writes the sums of the desktop's files, for the page that proves it; nothing is compared then.
+// --table writes the checksums of the desktop program's files, for the page that makes this comparison; nothing is compared then.
 
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
@@ -19,7 +19,7 @@ process.on('exit', () => rmSync(scratch, { recursive: true }));
 
 const sum = (bytes) => createHash('sha256').update(bytes).digest('hex');
 
-/** The sums of the files that the desktop's program writes, by kind. */
+/** The checksums of the files that the desktop program writes, by kind. */
 function onTheDesktop(file) {
     const path = (name) => join(scratch, name);
     const run = (...options) => execFileSync(program, ['grow', file, '--quiet', ...options]);
@@ -33,7 +33,7 @@ function onTheDesktop(file) {
     return sums({ picture: 'picture.png', pattern: 'pattern.png' });
 }
 
-/** The same of the engine as WebAssembly. */
+/** The checksums of the files that the engine as WebAssembly writes, by kind. */
 async function here(module, file) {
     const files = await grow(module, readFileSync(file));
     return Object.fromEntries(files.map(({ kind, bytes }) => [kind, sum(bytes)]));

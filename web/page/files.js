@@ -1,6 +1,6 @@
 // Files between the visitor and the program.
 
-/** Lets the visitor keep a file. */
+/** Offers a file to the visitor as a download. */
 export function save(name, parts) {
     const link = document.createElement('a');
     link.href = URL.createObjectURL(new Blob(parts));
@@ -43,11 +43,11 @@ async function copy(dapple, name) {
         const png = new Blob([dapple.take_written(name)], { type: 'image/png' });
         await navigator.clipboard.write([new ClipboardItem({ 'image/png': png })]);
     } catch (error) {
-        dapple.tell(`The browser does not let the page copy the picture (${error.message}). Copy it once more, or export it as a file.`);
+        dapple.tell(`The browser does not let the page copy the picture (${error.message}). Try to copy it again, or export it as a file.`);
     }
 }
 
-/** Does what the program asks for; to be called again and again. */
+/** Returns a function that carries out the requests of the program; it is to be called repeatedly. */
 export function serveRequests(dapple, here) {
     return () => {
         for (let asked; (asked = dapple.next_request());) {
@@ -71,7 +71,7 @@ export function takeDropped(dapple, canvas) {
         const files = [...(event.dataTransfer?.files ?? [])];
         event.preventDefault();
         event.stopImmediatePropagation();
-        // The window takes its hint away.
+        // The window then hides its hint about dropping.
         canvas.dispatchEvent(new DragEvent('dragleave', { bubbles: true }));
         take(files);
     }, true);

@@ -1,9 +1,9 @@
-// Threads need a page that is isolated from other sites. Where the host does not send the headers, the service worker adds them
-// after one reload.
+// Threads need a page that is isolated from other sites. Where the host does not send the headers for that, the service worker adds
+// them after one reload.
 import { failing, words } from './words.js';
 
 const TRIED = 'dapple-isolation-tried';
-/** How long a service worker may take to begin, ms. */
+/** The longest time that a service worker may take to start, ms. */
 const PATIENCE = 10000;
 
 async function registered() {
@@ -11,7 +11,7 @@ async function registered() {
     await navigator.serviceWorker.ready;
 }
 
-/** Whether the page is isolated; else it is being reloaded, or it says why not. */
+/** Whether the page is isolated. If it is not, the page is being reloaded, or shows the reason. */
 export async function isolated() {
     if (globalThis.crossOriginIsolated) {
         sessionStorage.removeItem(TRIED);
@@ -23,7 +23,7 @@ export async function isolated() {
             await Promise.race([registered(), new Promise((_, failed) => setTimeout(failed, PATIENCE))]);
             location.reload();
             return false;
-        } catch { /* told below */ }
+        } catch { /* shown below */ }
     }
     failing(words.isolation, '');
     return false;

@@ -1,15 +1,15 @@
-// What is kept from one visit to the next: settings, and unsaved work. Each record says which tab has written it; the unsaved work of a
-// tab that is open is left to it.
+// What is kept from one visit to the next: settings, and unsaved work. Each record names the tab that wrote it. The
+// unsaved work of a tab that is still open belongs to that tab.
 import { withdraw, warn, words } from './words.js';
 
 const TAB = crypto.randomUUID();
 const lockOf = (tab) => `dapple-tab-${tab}`;
 const RECOVERY = '/kept/recovery/';
-/** How long the database may take to answer, ms. */
+/** The longest time that the database may take to answer, ms. */
 const PATIENCE = 4000;
-/** How often what has changed is looked for, ms. */
+/** The time between two checks for changes, ms. */
 const OFTEN = 100;
-/** When writing is tried again after it has failed, ms. */
+/** The time after which a failed write is tried again, ms. */
 const AGAIN = 2000;
 
 const asPromise = (request) => new Promise((done, failed) => {
@@ -23,7 +23,7 @@ function database() {
         const request = indexedDB.open('dapple', 1);
         request.onupgradeneeded = () => request.result.createObjectStore('kept', { keyPath: 'path' });
         return asPromise(request).then((result) => {
-            // Another tab deletes or renews it: that one must not wait for this.
+            // Another tab deletes or upgrades the database. It must not have to wait for this tab.
             result.onversionchange = () => {
                 result.close();
                 opened = undefined;
@@ -32,19 +32,19 @@ function database() {
             return result;
         });
     })();
-    // It is tried again.
+    // The next call tries again.
     opened.catch(() => { opened = undefined; });
     return opened;
 }
 
 const begun = async (mode) => (await database()).transaction('kept', mode, { durability: 'strict' });
 
-/** What is done, unless the database does not answer. */
+/** The result of `done`, or an error where the database does not answer in time. */
 const inTime = (done) => Promise.race([done, new Promise((_, failed) => {
     setTimeout(() => failed(new Error('the database does not answer')), PATIENCE);
 })]);
 
-/** Puts back what was kept, before the window is opened; it does not wait for ever for a database that does not answer. */
+/** Restores the kept files, before the window is opened. It stops waiting where the database does not answer. */
 export async function restore(dapple) {
     try {
         await inTime(putBack(dapple));
@@ -54,7 +54,7 @@ export async function restore(dapple) {
 }
 
 async function putBack(dapple) {
-    // Held until this tab is gone, however it goes.
+    // The lock is held until this tab is closed or crashes.
     navigator.locks.request(lockOf(TAB), () => new Promise(() => {}));
     const held = new Set((await navigator.locks.query()).held.map((lock) => lock.name));
     const records = await asPromise((await begun('readonly')).objectStore('kept').getAll());
@@ -64,10 +64,10 @@ async function putBack(dapple) {
     navigator.storage?.persist?.();
 }
 
-/** What has changed and is not in the database yet: by path its bytes, or nothing where it is to be deleted. */
+/** Changes that are not in the database yet: for each path the bytes, or nothing where the file is to be deleted. */
 const pending = new Map();
 
-/** Writes what is pending, and waits until it is there, whole. */
+/** Writes changes to the database, and waits until all of them are stored. */
 async function write(changes) {
     const transaction = await begun('readwrite');
     const complete = new Promise((done, failed) => {
@@ -82,7 +82,7 @@ async function write(changes) {
     await complete;
 }
 
-/** Keeps what has changed, a few times a second. What cannot be written stays pending, which is said. */
+/** Stores changes several times a second. Changes that cannot be written stay pending, and the visitor is told. */
 export function keepChanges(dapple) {
     let isBusy = false;
     let next = 0;
@@ -93,7 +93,7 @@ export function keepChanges(dapple) {
         const changes = [...pending];
         try {
             await inTime(write(changes));
-            // What has changed again meanwhile stays.
+            // Files that have changed again meanwhile stay pending.
             for (const [path, bytes] of changes) if (pending.get(path) === bytes) pending.delete(path);
             withdraw(words.unkept);
         } catch (error) {
@@ -109,13 +109,13 @@ export function keepChanges(dapple) {
 
 /** The document of the newest unsaved work of this tab. */
 export async function drawn() {
-    // Where the database fails, it is pending.
+    // Where the database fails, the unsaved work is pending.
     const kept = begun('readonly').then((transaction) => asPromise(transaction.objectStore('kept').getAll())).catch(() => []);
     const files = new Map((await kept).filter(({ tab }) => tab === TAB).map(({ path, bytes }) => [path, bytes]));
     for (const [path, bytes] of pending) files.set(path, bytes);
     const own = [...files].filter(([path, bytes]) => bytes && path.startsWith(RECOVERY) && path.endsWith('.dapple'));
     const [, newest] = own.sort(([a], [b]) => (a < b ? -1 : 1)).at(-1) ?? [];
     const text = newest && new TextDecoder().decode(newest);
-    // Before the document stand two lines and an empty one.
+    // Two lines and an empty line precede the document.
     return text && text.slice(text.indexOf('\n\n') + 2);
 }

@@ -8,10 +8,10 @@ import { followPens } from './pens.js';
 
 const asked = new URLSearchParams(location.search);
 const here = new URL('.', import.meta.url);
-/** What the program lets the page call. */
+/** The functions of the program that the page can call. */
 let dapple = program;
 
-/** What the build knows: bytes of the module before they are compressed. */
+/** The size of the module before compression, bytes; the build inserts it. */
 const SIZE = MODULE_BYTES;
 
 /** A file beside this one. */
@@ -40,7 +40,7 @@ function sharedMemory() {
     for (const maximum of [65536, 32768, 16384, 8192].filter((pages) => pages <= wanted)) {
         try {
             return [new WebAssembly.Memory({ initial: 1024, maximum, shared: true }), maximum * 65536];
-        } catch { /* less, then */ }
+        } catch { /* try less memory */ }
     }
     throw new Error('the browser gives less than 512 MB of memory');
 }
@@ -68,7 +68,7 @@ function workers(compiled, memory) {
 
 globalThis.dappleFailed = (text) => failing(words.page, text);
 
-// What the browser stops is no panic.
+// Errors that are not panics of the program.
 addEventListener('error', (event) => failing(words.page, String(event.error?.stack ?? event.message)));
 addEventListener('unhandledrejection', (event) => failing(words.page, String(event.reason?.stack ?? event.reason)));
 
@@ -94,11 +94,11 @@ function always(what) {
 
 async function main() {
     if (!await isolated()) return;
-    // Tests ask how long calls take.
+    // Tests measure how long calls take.
     if (asked.has('test')) dapple = (await import('./watch.js')).watched(program);
     const [memory, most] = sharedMemory();
     const compiled = await module();
-    // The window does not wait for the rows, its workers do.
+    // The window opens without the training rows; only the workers wait for them.
     const rows = bytes('rows.pack');
     rows.catch(() => {});
     await init({ module_or_path: compiled, memory });
@@ -106,7 +106,7 @@ async function main() {
     await restore(dapple);
     const canvas = document.getElementById('window');
     await dapple.open_window(canvas, location.href, asked.has('test'));
-    // Another link in the same tab: what is unsaved is kept for the page that follows.
+    // Another link was opened in this tab: the unsaved work is kept for the reloaded page.
     addEventListener('hashchange', () => location.reload());
     arrived();
     takeDropped(dapple, canvas);
@@ -123,7 +123,7 @@ async function main() {
     performance.mark('opened');
     dapple.bring_rows(await rows);
     dapple.open_workers();
-    // Signs and pictures in texts, which the window itself does not use: it does without those that do not arrive.
+    // Fonts with signs and emoji, which the window itself does not use. If they cannot be loaded, the window works without them.
     for (const [name, file, scale] of [['signs', 'NotoEmoji-Regular', 0.81], ['more signs', 'emoji-icon-font', 0.9]]) {
         const font = await bytes(`fonts/${file}.ttf`).catch(() => undefined);
         if (font) dapple.add_font(name, font, scale);

@@ -1,4 +1,4 @@
-// Tells the window what pens do: it gets no pressure otherwise.
+// Passes the events of pens to the window, which gets no pressure otherwise.
 
 /** Listens to pens on the whole page. */
 export function followPens(dapple) {

@@ -1,4 +1,4 @@
-// Makes the page isolated where the host does not send the two headers: without them browsers give no shared memory. It keeps nothing.
+// Service worker that isolates the page where the host does not send the two headers. Without them browsers give no shared memory. It caches nothing.
 self.addEventListener('install', () => self.skipWaiting());
 self.addEventListener('activate', (event) => event.waitUntil(self.clients.claim()));
 self.addEventListener('fetch', (event) => {

@@ -1,9 +1,9 @@
-// How long each call into the program keeps the page's thread, for tests.
+// Measures how long each call into the program occupies the page's thread, for tests.
 
 /** The longest call of each function so far, ms. */
 globalThis.longestCalls = {};
 
-/** The same functions, watched. */
+/** The functions of the program, each with its duration measured. */
 export function watched(program) {
     const watch = (name, call) => (...values) => {
         const began = performance.now();

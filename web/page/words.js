@@ -1,20 +1,20 @@
-// What the page says before the window is there, and when something fails.
+// The texts of the page before the window is open, and when something fails.
 
 export const words = {
     start: ['dapple could not be opened', 'The browser needs WebAssembly with threads (Chrome 91, Firefox 89, Safari 16.4 or newer) and WebGL.'],
-    isolation: ['This page has no threads', 'Browsers give them to isolated pages only. The host must send the headers ' +
-        '"Cross-Origin-Opener-Policy: same-origin" and "Cross-Origin-Embedder-Policy: require-corp", or the page must be opened by ' +
+    isolation: ['This page cannot run dapple', 'dapple needs threads, which browsers allow only in isolated pages. The host must send the ' +
+        'headers "Cross-Origin-Opener-Policy: same-origin" and "Cross-Origin-Embedder-Policy: require-corp", or the page must be opened by ' +
         'https or from localhost in a window that is not private, so that its service worker can add them. In a frame, the page ' +
         'around it has to send them as well.'],
-    page: ['An error in dapple has stopped the window', 'What you have drawn is kept: reload the page to go on. Please report the error.'],
-    forgotten: ['The work of your last visit could not be looked for', 'The browser\'s database did not answer, so settings are the usual ' +
-        'ones and unsaved work is not offered. Nothing was deleted: close other tabs of this page and reload it.'],
-    unkept: ['What you draw is not being kept', 'The browser does not store it: its storage may be full, or be switched off for this page. ' +
-        'Save the document (menu File) before you close the tab. It is tried again every two seconds.'],
-    worker: ['An error in dapple has stopped work in the background', 'What you have drawn is kept: reload the page to go on. Please report the error.'],
+    page: ['An error in dapple has stopped the window', 'Your drawing is kept: reload the page to continue. Please report the error.'],
+    forgotten: ['Your work from the last visit could not be read', 'The browser\'s database did not answer, so default settings are ' +
+        'used and unsaved work is not offered. Nothing was deleted: close other tabs of this page and reload it.'],
+    unkept: ['Your drawing is not being backed up', 'The browser does not store it: its storage may be full, or switched off for this page. ' +
+        'Save the document (menu File) before you close the tab. dapple tries again every two seconds.'],
+    worker: ['An error in dapple has stopped growing and exporting', 'Your drawing is kept: reload the page to continue. Please report the error.'],
 };
 
-/** When all that was drawn before a failure has been written, ms. */
+/** The time after a failure until everything that was drawn before it is stored, ms. */
 const WRITTEN = 2500;
 
 const part = (id) => document.getElementById(id);
@@ -25,16 +25,16 @@ export function arriving(share) {
     if (share >= 1) part('said').textContent = 'Starting';
 }
 
-/** The window is there. */
+/** Hides the progress bar, because the window is open. */
 export function arrived() {
     part('arriving').hidden = true;
 }
 
-/** Says in words what the visitor should know while the window goes on. */
+/** Shows a warning while the window continues to work. */
 export function warn([title, text], details) {
-    // A frame in a page of others keeps nothing.
+    // A window that is embedded in another page keeps nothing.
     if (/[?&](embed|view)\b/.test(location.search)) return;
-    // What has stopped the window is said alone.
+    // A failure that has stopped the window is the only message.
     if (!part('failed').hidden) return;
     const shown = part('warned');
     shown.querySelector('b').textContent = title;
@@ -43,18 +43,18 @@ export function warn([title, text], details) {
         shown.dataset.seen = title;
         shown.hidden = true;
     };
-    // Once it was put away, it is not said again until it was over.
+    // A warning that the visitor has closed is not shown again until its cause has ended.
     shown.hidden = shown.dataset.seen === title;
 }
 
-/** What was said is over. */
+/** Withdraws a warning, because its cause has ended. */
 export function withdraw([title]) {
     const shown = part('warned');
     if (shown.dataset.seen === title) delete shown.dataset.seen;
     if (shown.querySelector('b').textContent === title) shown.hidden = true;
 }
 
-/** Says in words that something has failed; the first failure is what counts. */
+/** Shows that something has failed. Only the first failure is shown. */
 export function failing([title, text], details) {
     const shown = part('failed');
     if (!shown.hidden) return;

@@ -1,5 +1,5 @@
 // Puts the live sketch in place of its picture. A frame gets threads only where the page around it is isolated from other sites, so
-// the service worker of the editor, from the folder of the site, adds the headers that the host does not send; after one reload.
+// the service worker of the editor adds the headers that the host does not send; this takes one reload.
 
 const live = document.querySelector('a.live');
 const TRIED = 'dapple-front-isolation-tried';

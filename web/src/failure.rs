@@ -1,4 +1,4 @@
-//! Errors in the program are told in words.
+//! Shows errors of the program to the visitor.
 
 use std::panic::{set_hook, take_hook};
 
@@ -7,12 +7,12 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 extern "C" {
-    /// Tells the visitor; both the page and the workers have it.
+    /// Shows an error to the visitor. Both the page and the workers provide this function.
     #[wasm_bindgen(js_namespace = globalThis, js_name = dappleFailed)]
     fn failed(text: &str);
 }
 
-/// Lets a thread fail, for tests: the page's, or a worker.
+/// Makes a thread panic, for tests: the page's thread, or a worker.
 ///
 /// # Panics
 /// Always, on that thread.
@@ -22,11 +22,12 @@ pub fn fail(on_page: bool) {
     if on_page {
         failing();
     }
-    // The page starts as many workers as are wanted.
+    // Cannot fail: the page starts as many workers as are needed.
     let _ = threads::start("failing", failing);
 }
 
-/// Lets every panic tell what it was, on whatever thread. What is shown stops only where the page's thread has failed.
+/// Shows the message of every panic, on whatever thread it happens. The window stops only if the page's thread has
+/// panicked.
 pub fn tell_in_words() {
     let of_the_window = take_hook();
     set_hook(Box::new(move |info| {

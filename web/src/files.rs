@@ -7,13 +7,13 @@ use dapple::machine::fs;
 use js_sys::{Array, Uint8Array};
 use wasm_bindgen::prelude::*;
 
-/// What the program asks the page for.
+/// A request of the program to the page.
 #[wasm_bindgen]
 pub struct Asked(Request);
 
 #[wasm_bindgen]
 impl Asked {
-    /// `choose`, `load`, `save` or `copy`.
+    /// The kind of the request: `choose`, `load`, `save` or `copy`.
     #[wasm_bindgen(getter)]
     #[must_use]
     pub fn what(&self) -> String {
@@ -26,7 +26,7 @@ impl Asked {
         what.to_owned()
     }
 
-    /// The endings to choose from, as `.png,.jpg`; the name of the file to load; the path of the file to save or copy.
+    /// The allowed endings, as `.png,.jpg`; the name of the file to load; or the path of the file to save or copy.
     #[wasm_bindgen(getter)]
     #[must_use]
     pub fn name(&self) -> String {
@@ -39,7 +39,7 @@ impl Asked {
         }
     }
 
-    /// The number to which an answer goes.
+    /// The number that the answer must have.
     #[wasm_bindgen(getter)]
     #[must_use]
     pub fn number(&self) -> f64 {
@@ -57,22 +57,22 @@ pub fn next_request() -> Option<Asked> {
     page::next_request().map(Asked)
 }
 
-/// Answers a request with a file; without bytes there is none.
+/// Answers a request with a file; without bytes there is no file.
 #[wasm_bindgen]
 pub fn answer(number: f64, name: &str, bytes: Option<Vec<u8>>) {
     page::answer(number as u64, bytes.and_then(|bytes| page::give(name, bytes).ok()));
 }
 
-/// Lets the window say what has failed in the page.
+/// Reports an error in the page, to be shown in the window.
 #[wasm_bindgen]
 pub fn tell(why: String) {
     page::tell(why);
 }
 
-/// Gives a file that was dropped or pasted.
+/// Passes a file that was dropped or pasted to the window.
 ///
 /// # Errors
-/// It does not fit into memory.
+/// Where the file does not fit into memory.
 #[wasm_bindgen]
 pub fn drop_file(name: &str, bytes: Vec<u8>) -> Result<(), JsValue> {
     page::drop_file(page::give(name, bytes).map_err(|error| error.to_string())?);
@@ -82,13 +82,13 @@ pub fn drop_file(name: &str, bytes: Vec<u8>) -> Result<(), JsValue> {
 /// The bytes of a file that is to be saved.
 ///
 /// # Errors
-/// It is not there.
+/// Where there is no such file.
 #[wasm_bindgen]
 pub fn take_written(path: &str) -> Result<Vec<u8>, JsValue> {
     page::take(Path::new(path)).map_err(|error| error.to_string().into())
 }
 
-/// The files to keep that have changed since the last call: path and bytes; `undefined` = deleted.
+/// The kept files that have changed since the last call: path and bytes; `undefined` = deleted.
 #[wasm_bindgen]
 #[must_use]
 pub fn take_changed() -> Array {
@@ -99,10 +99,10 @@ pub fn take_changed() -> Array {
     fs::take_changed().into_iter().map(pair).collect()
 }
 
-/// Puts a file back that was kept.
+/// Restores a file that was kept from an earlier visit.
 ///
 /// # Errors
-/// It does not fit into memory.
+/// Where the file does not fit into memory.
 #[wasm_bindgen]
 pub fn keep(path: &str, bytes: Vec<u8>) -> Result<(), JsValue> {
     let path = Path::new(path);

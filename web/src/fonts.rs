@@ -1,4 +1,5 @@
-//! The fonts of the window: what its own texts need is in the module, signs and pictures that visitors may type are loaded later.
+//! The fonts of the window. The module holds the characters of its own texts; other characters that visitors may type
+//! are loaded later.
 
 use std::sync::Arc;
 
@@ -21,7 +22,7 @@ pub fn first(context: &Context) {
     context.set_fonts(fonts);
 }
 
-/// Adds a font for characters that the others lack; `scale`: its size relative to them.
+/// Adds a font for characters that the other fonts lack; `scale` is its size relative to them.
 pub fn add(context: &Context, name: &str, bytes: Vec<u8>, scale: f32) {
     let data = FontData::from_owned(bytes).tweak(FontTweak { scale, ..FontTweak::default() });
     let last = |family| InsertFontFamily { family, priority: FontPriority::Lowest };

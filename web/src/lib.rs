@@ -1,4 +1,5 @@
-//! The window of dapple in a browser. The page calls what is here; `dapple::machine::browser` is the other side.
+//! The window of dapple in a browser. The page calls these functions; `dapple::machine::browser` is the part inside the
+//! program.
 //!
 //! ```text
 //!  page.js ─▶ begin ─▶ keep (files of the last visit) ─▶ open_window ─▶ tick, next_request, … while it is shown
@@ -27,28 +28,30 @@ thread_local! {
     static CONTEXT: RefCell<Option<egui::Context>> = const { RefCell::new(None) };
 }
 
-/// To be called once, on the page: the number of threads that the machine runs at once, and how many bytes of memory there are.
+/// Called once by the page, with the number of threads that the machine runs at once, and with the bytes of memory.
 #[wasm_bindgen]
 pub fn begin(cores: usize, bytes: f64) {
     threads::set_cores(cores);
     memory::limit(bytes);
     alone_on_the_page();
-    // Before anything else is asked of workers.
+    // This must happen before workers are used for anything else.
     threads::set_shared(0);
 }
 
-/// Makes the page's thread a pool of its own. What is done in parallel elsewhere it then does alone: it must not wait for others.
+/// Makes a pool of the page's thread alone. Work that is parallel elsewhere then runs on this thread only, because it
+/// must not wait for other threads.
 fn alone_on_the_page() {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build();
-    // It lives as long as the page.
+    // The pool lives as long as the page.
     std::mem::forget(pool);
 }
 
-/// Opens the window of the page at `address`: with the document in its fragment, if there is one, and with as much of the window as its
-/// query asks for. `is_tested`: [`widgets::widgets`] tells where its widgets are.
+/// Opens the window of the page at `address`: with the document in the fragment of the address, if there is one, and
+/// with the parts of the window that its query asks for. `is_tested`: [`widgets::widgets`] then returns the places of
+/// the widgets.
 ///
 /// # Errors
-/// The browser cannot show it: why.
+/// The reason why the browser cannot show the window.
 #[wasm_bindgen]
 pub async fn open_window(canvas: HtmlCanvasElement, address: String, is_tested: bool) -> Result<(), JsValue> {
     for folder in [page::WRITTEN, fs::KEPT] {
@@ -59,12 +62,12 @@ pub async fn open_window(canvas: HtmlCanvasElement, address: String, is_tested: 
     let create: eframe::AppCreator<'static> = Box::new(move |cc| {
         let page = address.split('#').next().unwrap_or_default();
         let (site, query) = page.split_once('?').unwrap_or((page, ""));
-        // Links that are copied here lead here.
+        // Links that are copied here lead to this page.
         let mut settings = Settings::for_user();
         site.clone_into(&mut settings.site);
         let (link, presentation) =
             (is_link(&address).then(|| address.clone()), Presentation::of_query(query));
-        // A frame in a page of others offers nobody's unsaved work, and keeps none.
+        // A window that is embedded in another page offers no unsaved work, and keeps none.
         let recovery = (presentation == Presentation::Full).then(|| [fs::KEPT, "recovery"].iter().collect());
         let start =
             Start { settings, link, presentation, recovery, native_dialogs: true, ..Start::default() };
@@ -77,12 +80,12 @@ pub async fn open_window(canvas: HtmlCanvasElement, address: String, is_tested: 
         Ok(Box::new(timing::Timed(timing::watched(|| Window::new(&cc.egui_ctx, start)))))
     });
     runner.start(canvas, eframe::WebOptions::default(), create).await?;
-    // It lives as long as the page.
+    // The window lives as long as the page.
     std::mem::forget(runner);
     Ok(())
 }
 
-/// Brings the training rows, which are not in the module. Nothing can grow before.
+/// Sets the training rows, which are not in the module. Before this call nothing can grow.
 #[wasm_bindgen]
 pub fn bring_rows(pack: &[u8]) {
     dapple::engine::learn::bring_rows(pack);
@@ -98,25 +101,25 @@ pub fn add_font(name: &str, bytes: Vec<u8>, scale: f32) {
     });
 }
 
-/// Lets the workers begin: what they need is there.
+/// Lets the workers start: the data that they need have arrived.
 #[wasm_bindgen]
 pub fn open_workers() {
     threads::open();
 }
 
-/// What a worker calls: it does one piece of work after the other, without end.
+/// The function that a worker calls: it does one piece of work after the other, without end.
 #[wasm_bindgen]
 pub fn work() {
     threads::serve();
 }
 
-/// The number of workers that are wanted beside those that have nothing to do.
+/// The number of workers that are needed in addition to the idle ones.
 #[wasm_bindgen]
 pub fn workers_wanted() -> usize {
     threads::wanted()
 }
 
-/// To be called before each frame of the browser: shows a frame where a worker has asked for one.
+/// Called before each frame of the browser: shows a frame if a worker has requested one.
 #[wasm_bindgen]
 pub fn tick() {
     if page::take_wake() {

@@ -1,5 +1,5 @@
-//! Pens: the page tells their pressure, which browsers do not give with the events that the window gets. The pressure of fingers says
-//! nothing, and is left out.
+//! The pressure of pens. The page reports it, because browsers do not include it in the events that the window gets.
+//! The pressure of fingers has no meaning and is ignored.
 
 use std::cell::RefCell;
 
@@ -8,9 +8,9 @@ use wasm_bindgen::prelude::*;
 
 #[derive(Default)]
 struct Pen {
-    /// What it did since the last frame: phase, place, pressure.
+    /// The events of the pen since the last frame: phase, place, pressure.
     moves: Vec<(TouchPhase, [f32; 2], f32)>,
-    /// Its pressure while it is down.
+    /// The pressure of the pen while it touches.
     pressure: Option<f32>,
 }
 
@@ -40,7 +40,7 @@ impl Pen {
                 touched = true;
             }
         }
-        // Some browsers treat a pen as a mouse: then nothing has touched.
+        // Some browsers treat a pen as a mouse, so that no touch was reported.
         if !touched {
             let touch = |(phase, at, pressure): (TouchPhase, [f32; 2], f32)| Event::Touch {
                 device_id: TouchDeviceId(u64::MAX),
@@ -54,12 +54,12 @@ impl Pen {
     }
 }
 
-/// Lets the window hear of pens.
+/// Passes the events of pens to the window.
 pub fn listen(context: &Context) {
     context.add_plugin(Pens);
 }
 
-/// What a pen does: `down`, `move` or `up`, where (points), with which pressure, 0..1.
+/// An event of a pen: `down`, `move` or `up`, the place (points), and the pressure, 0..1.
 #[wasm_bindgen]
 pub fn pen(what: &str, x: f32, y: f32, pressure: f32) {
     let phase = match what {

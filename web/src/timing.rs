@@ -1,4 +1,4 @@
-//! How long the window's own code keeps the page's thread, painting excluded.
+//! Measures how long the window's own code occupies the page's thread, without painting.
 
 use std::cell::Cell;
 
@@ -12,7 +12,7 @@ thread_local! {
     static LONGEST: Cell<f64> = const { Cell::new(0.0) };
 }
 
-/// Does `work`; the longest is remembered.
+/// Does `work` and measures it; the longest duration is kept.
 pub fn watched<T>(work: impl FnOnce() -> T) -> T {
     let began = Instant::now();
     let done = work();
@@ -20,7 +20,7 @@ pub fn watched<T>(work: impl FnOnce() -> T) -> T {
     done
 }
 
-/// The window, with a watch.
+/// The window, with each frame measured.
 pub struct Timed(pub Window);
 
 impl eframe::App for Timed {
@@ -37,7 +37,7 @@ impl eframe::App for Timed {
     }
 }
 
-/// The longest of all frames, and of opening the window, since the last call, ms.
+/// The longest duration of a frame, or of opening the window, since the last call, ms.
 #[wasm_bindgen]
 #[must_use]
 pub fn longest_frame() -> f64 {

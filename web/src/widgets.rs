@@ -1,4 +1,4 @@
-//! Where the widgets of the window are, for tests: they click what a visitor would.
+//! The places of the window's widgets, for tests that click where a visitor would.
 
 use std::cell::RefCell;
 
@@ -31,7 +31,7 @@ pub fn follow(context: &Context) {
     context.add_plugin(Follower);
 }
 
-/// The widgets of the last frame: role, name, left, top, right, bottom (points), whether it can be used.
+/// The widgets of the last frame: role, name, left, top, right, bottom (points), and whether the widget can be used.
 #[wasm_bindgen]
 #[must_use]
 pub fn widgets() -> Array {

@@ -1,4 +1,4 @@
-// A browser with the page in it, and hands that use it.
+// A browser with the page in it, and functions that use the page like a visitor.
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { mkdirSync, readFileSync } from 'node:fs';
@@ -37,7 +37,7 @@ export async function open(context, url) {
     return page;
 }
 
-/** Opens the page with nothing kept from before; `plain` is a file of its host that opens nothing. */
+/** Opens the page without anything kept from earlier visits; `plain` is a file of the host that opens no window. */
 export async function begin(context, url, plain) {
     const empty = await context.newPage();
     await empty.goto(plain);
@@ -52,7 +52,7 @@ export async function begin(context, url, plain) {
     return page;
 }
 
-/** What is told of a failure; empty without one. */
+/** The message about a failure; empty without one. */
 export const failure = (page) => page.evaluate(() => {
     const shown = document.getElementById('failed');
     return shown.hidden ? '' : shown.innerText;
@@ -138,7 +138,7 @@ export const kept = (page) => page.evaluate(() => new Promise((done) => {
 /** Waits until the growth is over. */
 export const grown = (page) => widget(page, 'Texture, finished', undefined, 180000);
 
-/** What is downloaded while `act` is done: its name and its bytes. */
+/** The file that is downloaded while `act` runs: its name and its bytes. */
 export async function downloaded(page, act, timeout = 60000) {
     const [download] = await Promise.all([page.waitForEvent('download', { timeout }), act()]);
     return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
@@ -162,7 +162,7 @@ export async function until(what, condition, timeout = 60000) {
     }
 }
 
-/** Keeps a picture of the page, to be looked at. */
+/** Saves a screenshot of the page, for people to look at. */
 export async function sight(page, name) {
     if (!SIGHTS) return;
     mkdirSync(SIGHTS, { recursive: true });

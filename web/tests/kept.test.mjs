@@ -1,4 +1,4 @@
-// What is kept from one visit to the next, and what is told where that fails.
+// Tests of what is kept from one visit to the next, and of the messages where that fails.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { click, downloaded, drawSpot, failure, grown, kept, marks, open, settled, sight, until, widget, widgets } from './browser.mjs';
@@ -54,7 +54,7 @@ for (const [where, onPage] of [['a worker', false], ['the page', true]]) {
         await page.evaluate((onPage) => { try { dapple.fail(onPage); } catch { /* that is the test */ } }, onPage);
         await until('it is told', () => failure(page));
         const told = await failure(page);
-        assert.match(told, /What you have drawn is kept/);
+        assert.match(told, /reload the page/);
         assert.match(told, /a test lets this thread fail/);
         await sight(page, `failed-${onPage ? 'page' : 'worker'}`);
         let bytes;
@@ -69,7 +69,7 @@ for (const [where, onPage] of [['a worker', false], ['the page', true]]) {
     });
 }
 
-/** The words of the page about what is not kept; empty while there are none. */
+/** The warning that the drawing is not stored; empty while there is none. */
 const warned = (page) => page.evaluate(() => {
     const shown = document.getElementById('warned');
     return shown.hidden ? '' : shown.innerText;
@@ -82,17 +82,17 @@ test('work that the database refuses stays pending, is told of, and is written w
         globalThis.isFull = true;
         IDBObjectStore.prototype.put = function (...record) {
             const request = put.apply(this, record);
-            // As a browser does whose storage is full: what was written in this transaction is taken back.
+            // A browser whose storage is full does the same: it undoes the writes of this transaction.
             if (globalThis.isFull) this.transaction.abort();
             return request;
         };
     });
     await drawAndGrow(page);
     await until('it is told', () => warned(page));
-    assert.match(await warned(page), /What you draw is not being kept.*Save the document/s);
+    assert.match(await warned(page), /Your drawing is not.*Save the document/s);
     await sight(page, 'not-kept');
     assert.equal(await keptMarks(page), 0);
-    // Put away, it is not said again while it goes on.
+    // A closed warning is not shown again while its cause lasts.
     await page.click('#warned button');
     await page.waitForTimeout(2500);
     assert.equal(await warned(page), '');
@@ -118,7 +118,7 @@ test('a database that does not answer at the start is told of, and the window op
     await page.addInitScript(() => { indexedDB.open = () => ({}); });
     await page.goto(`${here.url}?test`, { waitUntil: 'commit' });
     await page.waitForFunction(() => globalThis.dapple, null, { timeout: 120000 });
-    assert.match(await warned(page), /The work of your last visit could not be looked for.*Nothing was deleted/s);
+    assert.match(await warned(page), /last visit.*Nothing was deleted/s);
     await sight(page, 'not-restored');
     await drawSpot(page, PLACES[0]);
     await grown(page);

@@ -1,4 +1,4 @@
-// Documents in links, and pages that show less of the window.
+// Tests of documents in links, and of pages that show only a part of the window.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { canvas, click, drawSpot, failure, grown, marks, open, settled, sight, until, widget, widgets } from './browser.mjs';

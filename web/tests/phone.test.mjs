@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { canvas, failure, grown, marks, settled, sight, widget, widgets } from './browser.mjs';
 import { visit } from './visit.mjs';
 
-// Emulated screens do not tell their finer px, so it is a screen without.
+// An emulated screen does not report a device pixel ratio, so the screen has a ratio of 1.
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, deviceScaleFactor: 1 };
 const here = visit(8232, { browser: phone });
 const { fresh } = here;
@@ -19,7 +19,7 @@ async function tap(page, name, role) {
     return found;
 }
 
-/** Fingers that go from some points to others, together. */
+/** Fingers that move from some points to others at the same time. */
 async function fingers(page, paths, steps = 12) {
     const cdp = await here.context.newCDPSession(page);
     const points = (share) => paths.map(([from, to], id) => ({

@@ -1,4 +1,4 @@
-// How long visitors wait, and how long the page's thread is kept: printed, for people to read.
+// Measures how long visitors wait, and how long the page's thread is occupied. The results are printed for people to read.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { test } from 'node:test';

@@ -1,4 +1,4 @@
-// What the tests of a file have in common: a server, a browser with a profile of its own, and fresh pages in it.
+// Shared by the tests of a file: a server, a browser with its own profile, and fresh pages in it.
 import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -29,7 +29,7 @@ export function visit(port, options = {}) {
         server?.stop();
         rmSync(profile, { recursive: true, force: true });
     });
-    /** The page with nothing kept from before; `more` is added to its query. */
+    /** The page without anything kept from earlier visits; `more` is added to its query. */
     here.fresh = (more = '') => begin(here.context, `${here.url}?test${more}`, `${here.url}sw.js`);
     return here;
 }
@@ -40,7 +40,7 @@ export async function drawAndGrow(page) {
     await grown(page);
 }
 
-/** Ends a test: nothing has failed. */
+/** Ends a test, and checks that nothing has failed. */
 export async function close(page) {
     assert.equal(await failure(page), '');
     assert.deepEqual(page.problems, []);

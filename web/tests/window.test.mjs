@@ -81,7 +81,7 @@ test('every kind of export is a download, a material as a ZIP', async () => {
         await click(page, /^Export…/, 'Button');
         await click(page, kind, 'Button');
         await settled(page);
-        // Its preview has been made, and it is none that the browser cannot make.
+        // Its preview has been made; previews that the browser cannot make are left out.
         if (kind !== 'Film') {
             await until('the preview is made', async () => !(await widgets(page)).some((one) => one.role === 'ProgressIndicator'), 120000);
             await settled(page);
@@ -123,7 +123,7 @@ test('the texture is copied as a picture, and what the browser forbids is told',
     await close(page);
 });
 
-test('files that cannot be packed are told of and stay', async () => {
+test('files that cannot be packed are reported and stay', async () => {
     const page = await fresh();
     await drawAndGrow(page);
     // Where the archive would be written, a folder is.
@@ -164,7 +164,7 @@ test('a document is saved and opened again by the dialog, by dropping and by pas
     await close(other);
 });
 
-test('a canvas that does not fit into memory is refused in words', async () => {
+test('a canvas that does not fit into memory is refused with a message', async () => {
     // 512 MB.
     const page = await fresh('&memory=8192');
     const document = JSON.parse(readFileSync(join(ROOT, 'examples/cheetah-run.dapple'), 'utf8'));
@@ -247,7 +247,7 @@ test('examples, photographs and alternatives', async () => {
     await sight(page, 'alternatives');
     await click(page, 'Alternatives', 'Button');
     await choose(page, 'File', /^Import a photograph…/, join(ROOT, 'assets/drawn-spots.jpg'));
-    // It is a table of many pictures, which is doubted.
+    // The picture is a table of many pictures, so that the dialog doubts that it shows a pattern.
     await widget(page, 'Take it anyway', 'CheckBox', 120000);
     await sight(page, 'photograph');
     await click(page, 'Take it anyway', 'CheckBox');

@@ -1,4 +1,4 @@
-//! The steps of Turk's way as pictures side by side, after the paper's figure 7.
+//! Pictures of the steps of Turk's method side by side, like figure 7 of the paper.
 
 use std::path::Path;
 
@@ -20,13 +20,13 @@ const SIZE: [u32; 2] = [560, 400];
 const COLUMNS: usize = 3;
 /// Vertices of the surface that carries the colours.
 const VERTICES: f64 = 120_000.0;
-/// Spots, about: as few points as in the paper.
+/// The number of spots, about: with few spots there are as few points as in the paper.
 const SPOTS: f64 = 40.0;
-/// Points a spacing: 1,250 points.
+/// Points per spacing, which gives 1,250 points.
 const FINENESS: f64 = 6.0;
 /// Radius of a point, radii of repulsion.
 const DOT: f64 = 0.16;
-/// Linear light of the ground, of points and of spots.
+/// Linear light of the ground, of the points and of the spots.
 const COLOURS: [[f32; 3]; 3] = [[0.80, 0.78, 0.74], [0.02, 0.03, 0.08], [0.03, 0.08, 0.40]];
 
 /// Draws the six steps.

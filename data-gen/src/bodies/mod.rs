@@ -1,4 +1,4 @@
-//! Growing on models, compared: other triangulations of one surface, other ways to spread on it.
+//! Comparisons of growth on models: other triangulations of one surface, and other ways to compute diffusion on it.
 
 mod figure;
 mod parametric;
@@ -11,7 +11,7 @@ use std::path::PathBuf;
 
 use dapple_engine::rd::System;
 
-/// What to compare.
+/// The comparison to make.
 #[derive(clap::Args)]
 pub struct Args {
     #[command(subcommand)]
@@ -20,27 +20,27 @@ pub struct Args {
 
 #[derive(clap::Subcommand)]
 enum What {
-    /// The animal as four triangulations of the same surface, and with fewer triangles: what grows on each
+    /// Grow on four triangulations of the same surface (the animal), and on meshes with fewer triangles
     Meshes {
-        /// Seeds of each
+        /// Seeds for each mesh
         #[arg(long, default_value_t = 5)]
         seeds: u64,
     },
-    /// Flat maps of hills and of a torus by their metric, beside what grows on meshes of them
+    /// Grow flat maps of hills and of a torus, corrected by their metric, and meshes of the same surfaces
     Parametric {
-        /// Seeds of each
+        /// Seeds for each surface
         #[arg(long, default_value_t = 5)]
         seeds: u64,
         /// A picture of the hills
         #[arg(short, long, value_name = "OUT.png", default_value = "assets/heights.png")]
         output: PathBuf,
     },
-    /// Turk's way (1991): points that repel each other, their planar Voronoi cells, normalised coefficients
+    /// Turk's method (1991): points that repel each other, their planar Voronoi cells, normalised coefficients
     Turk {
-        /// Seeds of each
+        /// Seeds for each row of the table
         #[arg(long, default_value_t = 5)]
         seeds: u64,
-        /// The six steps as a picture, after his figure 7
+        /// A picture of the six steps, like figure 7 of the paper
         #[arg(short, long, value_name = "OUT.png", default_value = "assets/turk-mesh.png")]
         output: PathBuf,
     },
@@ -75,7 +75,7 @@ fn mean(numbers: impl Iterator<Item = f64> + Clone) -> f64 {
     numbers.clone().sum::<f64>() / numbers.count().max(1) as f64
 }
 
-/// Their coefficient of variation.
+/// The coefficient of variation of some numbers.
 fn variation(numbers: impl Iterator<Item = f64> + Clone) -> f64 {
     let middle = mean(numbers.clone());
     mean(numbers.map(|number| (number - middle) * (number - middle))).sqrt() / middle

@@ -1,4 +1,4 @@
-//! Flat maps of parametric surfaces, corrected by the metric, beside what grows on a mesh of the same surface.
+//! Compares flat maps of parametric surfaces, corrected by the metric, with growth on a mesh of the same surface.
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -19,16 +19,16 @@ use super::{mean, variation};
 
 /// Distance of round spots on the surface, px.
 const SPACING: f64 = 40.0;
-/// Their radius, px: 141 px².
+/// Radius of the spots, px (area 141 px²).
 const RADIUS: f64 = 6.7;
 /// Pattern at the edge of a mark.
 const EDGE: f32 = 0.5;
-/// px of the canvas from one vertex to the next of the mesh that a flat map is laid on to be measured.
+/// The step between vertices of the mesh on which a flat map is measured, px of the canvas.
 const STEP: usize = 2;
 
 /// A surface that has a flat map.
 pub struct Case {
-    /// What it is called in tables.
+    /// Its name in tables.
     pub name: &'static str,
     /// The canvas, px.
     size: [u32; 2],
@@ -42,7 +42,7 @@ pub struct Case {
 const HEIGHT: f64 = 160.0;
 /// The canvas of the hills, px.
 const HILLS: [u32; 2] = [720, 600];
-/// The canvas of the torus, px: the radii of its ring and of its tube are these ÷ 2π.
+/// The canvas of the torus, px: the circumferences of its ring and of its tube, radii × 2π.
 const TORUS: [u32; 2] = [960, 360];
 
 /// Heights of hills with slopes up to about 1.3, as shares of [`HEIGHT`].
@@ -54,7 +54,7 @@ fn hills([x, y]: [f64; 2]) -> f64 {
 }
 
 fn on_hills([x, y]: [f64; 2]) -> [f64; 3] {
-    // Seen from above the canvas lies as it is drawn: y runs down.
+    // Seen from above, the canvas lies as it is drawn: y runs down.
     [x, -y, HEIGHT * hills([x, y])]
 }
 
@@ -92,15 +92,15 @@ pub fn cases() -> Result<[Case; 2], String> {
 /// Means of whole spots on a surface.
 #[derive(Clone, Copy, Debug)]
 pub struct Means {
-    /// All spots.
+    /// The number of spots.
     pub spots: usize,
-    /// px².
+    /// Mean area, px².
     pub area: f64,
     /// The coefficient of variation of the areas.
     pub variation: f64,
-    /// px.
+    /// Mean spacing, px.
     pub spacing: f64,
-    /// Minor ÷ major radius.
+    /// Mean of minor ÷ major radius.
     pub aspect: f64,
 }
 
@@ -114,7 +114,7 @@ fn layer() -> Layer {
 }
 
 impl Case {
-    /// The surface as a mesh with a vertex each `step` px of the canvas.
+    /// The surface as a mesh with a vertex for every `step` px of the canvas.
     fn mesh(&self, step: usize) -> Mesh {
         let [width, height] = self.size.map(|side| side as usize / step);
         let is_closed = self.edges == Edges::Closed;
@@ -125,14 +125,14 @@ impl Case {
             let (column, row) = (index % squares[0], index / squares[0]);
             let [a, b] = [vertex(column, row), vertex(column + 1, row)];
             let [c, d] = [vertex(column, row + 1), vertex(column + 1, row + 1)];
-            // Down the canvas is right about seen from outside.
+            // Down on the canvas is to the right on the surface, seen from outside.
             [[a, c, b], [b, c, d]]
         };
         let faces = (0..squares[0] * squares[1]).flat_map(square).collect();
         Mesh { positions: (0..width * height).map(place).collect(), faces }
     }
 
-    /// The point of the canvas of a vertex, px.
+    /// The point of the canvas for a vertex, px.
     fn on_canvas(&self, vertex: usize, step: usize) -> [f64; 2] {
         let width = self.size[0] as usize / step;
         [vertex % width, vertex / width].map(|place| (place as f64 + 0.5) * step as f64)
@@ -175,7 +175,7 @@ impl Case {
         Ok(Field { cell: [STEP as f64; 2], edges: self.edges, ..pattern })
     }
 
-    /// The metric at a point of the canvas, by differences.
+    /// The metric at a point of the canvas, by finite differences.
     fn metric(&self, [x, y]: [f64; 2]) -> Metric {
         const STEP: f64 = 1e-3;
         let slope = |[dx, dy]: [f64; 2]| {
@@ -198,7 +198,7 @@ impl Case {
         let obj = Triangulation::of_triangles(self.name, mesh).obj();
         let growth = BodyGrowth::begin(&document, Some(obj.as_bytes()), &Options::default());
         let grown = growth.map_err(|error| error.to_string())?.run().map_err(|error| error.to_string())?;
-        Ok(means(grown.plan.surface(), &grown.levelled.pattern))
+        Ok(means(grown.layers[0].plan.surface(), &grown.layers[0].levelled.pattern))
     }
 }
 
@@ -227,7 +227,7 @@ impl Means {
     }
 }
 
-/// Prints the means over all seeds of both ways, and of a flat map that is not corrected.
+/// Prints the means over all seeds: of the flat map, of the mesh, and of a flat map that is not corrected.
 pub fn table(seeds: u64) -> Result<(), String> {
     crate::say("| surface | way | spots | area, px² | its variation | spacing, px | aspect |")?;
     crate::say("|---|---|---|---|---|---|---|")?;
@@ -268,7 +268,7 @@ mod tests {
             assert!(apart(|means| means.area) < 0.02, "{found}");
             assert!(apart(|means| means.spacing) < 0.02, "{found}");
             assert!(apart(|means| means.aspect) < 0.02, "{found}");
-            // At a border the map has halves of spots, too.
+            // At a border, the map also has halves of spots.
             assert!(case.edges == Edges::Closed || apart(|means| means.spots as f64) < 0.03, "{found}");
         }
     }

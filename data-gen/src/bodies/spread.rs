@@ -1,4 +1,4 @@
-//! What grows on meshes as they are, by cotangents and by the average of neighbours.
+//! Compares growth on unprepared meshes, with diffusion by cotangent weights and by the average of neighbours.
 
 use std::sync::Arc;
 
@@ -10,27 +10,28 @@ use dapple_engine::surface::{Laplacian, Mesh, Stretch, Surface, SurfacePoint, bu
 use super::triangulations::{self, animal, edge, evenly, four};
 use super::{mean, system, variation};
 
-/// Spots of a surface, about.
+/// The number of spots on a surface, about.
 const SPOTS: f64 = 290.0;
-/// Cells a spacing on the mesh that spots are laid on.
+/// Cells per spacing on the mesh on which the places of spots are chosen.
 const LAID: f64 = 6.0;
-/// Vertices of the graded sphere: 16 a spacing.
+/// Vertices of the graded sphere: 16 per spacing.
 const VERTICES: f64 = 64_000.0;
 /// Normalised time.
 const TIME: f64 = 60.0;
 /// The share of the peak that is the edge of a spot.
 const LEVEL: f32 = 0.5;
-/// How far the angle from the pole is moved, times its sine: edges at one pole are 1.6 times, cells 2.7 times as large as at the other.
+/// Displacement of the angle from the pole, divided by its sine: at one pole, edges are 1.6 times and cells 2.7 times
+/// as large as at the other.
 const GRADED: f64 = 0.25;
-/// Along the axis the ends of a surface are what lies within this share of its length.
+/// The ends of a surface are the parts within this share of its length, along the axis.
 const END: f64 = 0.25;
 
-/// How a concentration spreads on a mesh.
+/// How diffusion is computed on a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Spreading {
     /// By cotangent weights and the areas of cells.
     Cotangents,
-    /// To the average of neighbours, as many mesh tools do (Phan & Grimm 2006, equation 3).
+    /// By the average of neighbours, as many mesh tools do (Phan & Grimm 2006, equation 3).
     Average,
 }
 
@@ -42,7 +43,7 @@ impl Spreading {
         }
     }
 
-    /// Its operators on a surface, and the area of a mean cell.
+    /// The operators of this method on a surface, and the mean area of a cell.
     fn operators(self, surface: &Surface) -> Arc<Operators> {
         let vertices = surface.cells();
         let own = laplacian(&surface.mesh, surface.frames(), &vec![Stretch::NONE; vertices]);
@@ -57,8 +58,8 @@ impl Spreading {
     }
 }
 
-/// The average of neighbours less the own value, × 2√3, which is ∇² on regular triangles whose cells have an area of 1; as rows of equal weights
-/// and a factor for each row.
+/// The average of the neighbours minus the value itself, × 2√3. On regular triangles whose cells have an area of 1 this
+/// is ∇². It is given as rows of equal weights, with a factor for each row.
 fn average(surface: &Surface) -> (Laplacian, Vec<f64>) {
     let (mut starts, mut columns, mut factors) = (vec![0], Vec::new(), Vec::new());
     for vertex in 0..surface.cells() {
@@ -73,17 +74,17 @@ fn average(surface: &Surface) -> (Laplacian, Vec<f64>) {
     (Laplacian { starts, columns, weights, mass }, factors)
 }
 
-/// What has grown on a mesh.
+/// The result of a growth on a mesh.
 #[derive(Clone, Debug)]
 pub struct Grown {
-    /// Spots that were laid.
+    /// The number of spots at the start.
     pub laid: usize,
-    /// Areas ÷ laid spacing², and places along the axis, 0..1, of the spots that grew.
+    /// For each spot that grew: its area ÷ (initial spacing)², and its place along the axis, 0..1.
     pub spots: Vec<(f64, f64)>,
 }
 
 impl Grown {
-    /// Areas ÷ laid spacing².
+    /// Areas ÷ (initial spacing)².
     pub fn areas(&self) -> impl Iterator<Item = f64> + Clone {
         self.spots.iter().map(|(area, _)| *area)
     }
@@ -97,12 +98,12 @@ impl Grown {
     }
 }
 
-/// The distance of about so many spots that cover a surface.
+/// The spacing at which about this number of spots covers a surface.
 fn spacing(surface: &Surface, spots: f64) -> f64 {
     edge(surface.mesh.area(), spots)
 }
 
-/// A surface with round spots of the distance that suits so many of them.
+/// A surface, and round spots with the spacing for this number of spots.
 pub fn with_spots(system: System, surface: Surface, spots: f64) -> ParameterField<Surface> {
     let one = Parameters { rate: 1.0, ratio: 15.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
     let apart = system.spacing(&one) * surface.unit() / spacing(&surface, spots);
@@ -110,7 +111,7 @@ pub fn with_spots(system: System, surface: Surface, spots: f64) -> ParameterFiel
     ParameterField::new(surface, vec![Parameters { rate: (apart * apart) as f32, ..one }; cells])
 }
 
-/// Where about so many spots are laid: on an even, coarser mesh of the same surface.
+/// Places for about this number of spots, chosen on an even, coarser mesh of the same surface.
 pub fn laid(system: System, surface: &Surface, spots: f64, seed: u64) -> Result<Vec<SurfacePoint>, String> {
     let (even, _) = prepare(&surface.mesh).map_err(|error| error.to_string())?;
     let coarse = evenly(&even, LAID * LAID * spots * 0.75_f64.sqrt());
@@ -123,7 +124,7 @@ pub fn laid(system: System, surface: &Surface, spots: f64, seed: u64) -> Result<
     Ok(places.iter().map(carried).collect())
 }
 
-/// Grows spots on a mesh as it is.
+/// Grows spots on an unprepared mesh.
 fn grown(surface: Surface, spreading: Spreading, seed: u64) -> Result<Grown, String> {
     let system = system()?;
     let places = laid(system, &surface, SPOTS, seed)?;
@@ -151,8 +152,8 @@ pub fn sphere() -> Result<Mesh, String> {
     prepare(&mesh).map(|(mesh, _)| mesh).map_err(|error| error.to_string())
 }
 
-/// A sphere whose cells are some three times as large at one pole (on the x axis) as at the other: 2.8 by [`GRADED`], and what even meshes
-/// differ by.
+/// A sphere whose cells are about three times as large at one pole (on the x axis) as at the other: 2.8 times by
+/// [`GRADED`], and further by the differences within even meshes.
 fn graded_sphere() -> Result<Mesh, String> {
     let mesh = sphere()?;
     let mut even = evenly(&mesh, VERTICES);
@@ -160,7 +161,7 @@ fn graded_sphere() -> Result<Mesh, String> {
     Ok(even)
 }
 
-/// A place on a sphere about the origin, its angle θ from the pole +x moved to θ + .25 sin θ.
+/// A place on a sphere about the origin, with its angle θ from the pole +x changed to θ + .25 sin θ.
 pub fn moved_from_the_pole([x, y, z]: [f64; 3]) -> [f64; 3] {
     let (radius, beside) = ((x * x + y * y + z * z).sqrt(), (y * y + z * z).sqrt());
     if beside == 0.0 {
@@ -170,7 +171,7 @@ pub fn moved_from_the_pole([x, y, z]: [f64; 3]) -> [f64; 3] {
     [radius * cos, radius * sin * y / beside, radius * sin * z / beside]
 }
 
-/// Prints what grows on the four triangulations of the animal and on a graded sphere as they are.
+/// Prints the results on the four triangulations of the animal and on a graded sphere, without preparing the meshes.
 pub fn table(seeds: u64) -> Result<(), String> {
     crate::say("")?;
     crate::say(
@@ -196,7 +197,7 @@ pub fn table(seeds: u64) -> Result<(), String> {
                 spreading.name(),
                 spots.join(" "),
                 mean(all.iter().map(|grown| mean(grown.areas()))),
-                // Not of those without spots.
+                // Growths without spots are left out.
                 mean(all.iter().map(|grown| variation(grown.areas())).filter(|of| of.is_finite())),
                 ends[0],
                 ends[1],

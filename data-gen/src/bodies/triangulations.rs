@@ -1,23 +1,24 @@
-//! One surface as other meshes.
+//! Different meshes of one surface.
 
 use std::fmt::Write;
 
 use dapple_engine::surface::{Mesh, built_in, prepare, remesh};
 
-/// Vertices of the even triangulation.
+/// Vertices of the even mesh.
 pub const VERTICES: f64 = 24_000.0;
-/// Longest ÷ shortest edge of the graded one.
+/// Longest ÷ shortest edge of the graded mesh.
 const GRADED: f64 = 10.0;
-/// How near the new vertex of a sliver is to a corner, as a share of the way to the middle of the face.
+/// The distance of a sliver's new vertex from a corner, as a share of the distance from there to the middle of the
+/// face.
 const SLIVER: f64 = 0.03;
 
 /// Polygons of a model.
 pub struct Triangulation {
-    /// What it is called in tables.
+    /// Its name in tables.
     pub name: &'static str,
     /// Places of its vertices.
     positions: Vec<[f64; 3]>,
-    /// Their corners.
+    /// The corners of its polygons.
     polygons: Vec<Vec<u32>>,
 }
 
@@ -47,7 +48,7 @@ impl Triangulation {
         text
     }
 
-    /// Its triangles, each polygon as a fan.
+    /// The triangles; each polygon becomes a fan.
     pub fn mesh(&self) -> Mesh {
         let fan = |polygon: &Vec<u32>| {
             let ends = polygon.array_windows().skip(1).map(|[b, c]| [polygon[0], *b, *c]);
@@ -57,12 +58,12 @@ impl Triangulation {
     }
 }
 
-/// The edge of equilateral triangles of which a surface has so many vertices.
+/// The edge length of equilateral triangles with which a surface has this number of vertices.
 pub fn edge(area: f64, vertices: f64) -> f64 {
     (area / vertices * 2.0 / 3.0_f64.sqrt()).sqrt()
 }
 
-/// A mesh of even triangles with about so many vertices.
+/// A mesh of even triangles with about this number of vertices.
 pub fn evenly(mesh: &Mesh, vertices: f64) -> Mesh {
     let edge = edge(mesh.area(), vertices);
     remesh(mesh, &|_| edge)
@@ -75,7 +76,7 @@ pub fn animal() -> Result<Mesh, String> {
     prepare(&mesh).map(|(mesh, _)| mesh).map_err(|error| error.to_string())
 }
 
-/// The animal in four triangulations of the same surface, the even one of about so many vertices.
+/// The animal as four meshes of the same surface; the even one has about this number of vertices.
 pub fn four(vertices: f64) -> Result<[Triangulation; 4], String> {
     let animal = animal()?;
     let even = evenly(&animal, vertices);
@@ -87,7 +88,7 @@ pub fn four(vertices: f64) -> Result<[Triangulation; 4], String> {
     ])
 }
 
-/// The animal with fewer triangles: another surface, as its curves are cut off.
+/// The animal with fewer triangles. This is a different surface, because its curves are cut off.
 pub fn decimated() -> Result<[Triangulation; 2], String> {
     let animal = animal()?;
     let with = |name: &'static str, share: f64| {
@@ -97,7 +98,7 @@ pub fn decimated() -> Result<[Triangulation; 2], String> {
     Ok([with("decimated to a tenth", 0.1), with("decimated to a hundredth", 0.01)])
 }
 
-/// Edges from one end to the other ten times as long, about as many vertices in all.
+/// A mesh whose edges are ten times as long at one end as at the other, with about this number of vertices.
 fn graded(animal: &Mesh, vertices: f64) -> Mesh {
     let [low, high] = animal.bounds();
     let usual = edge(animal.area(), vertices);
@@ -107,7 +108,7 @@ fn graded(animal: &Mesh, vertices: f64) -> Mesh {
     })
 }
 
-/// Each third triangle is split in three at a point next to one of its corners: two of the three are slivers.
+/// Splits every third triangle into three at a point next to one of its corners: two of the three are slivers.
 fn slivers(mesh: &Mesh) -> Triangulation {
     let (mut positions, mut polygons) = (mesh.positions.clone(), Vec::new());
     for (index, face) in mesh.faces.iter().enumerate() {
@@ -124,7 +125,7 @@ fn slivers(mesh: &Mesh) -> Triangulation {
     Triangulation { name: "a third split into slivers", positions, polygons }
 }
 
-/// Each triangle as three quads: of a corner, the middles of two sides and the middle.
+/// Splits each triangle into three quads, each of a corner, the middles of two sides, and the middle of the triangle.
 fn quads(mesh: &Mesh) -> Triangulation {
     let mut positions = mesh.positions.clone();
     let mut middles = std::collections::BTreeMap::new();

@@ -1,4 +1,4 @@
-//! What grows by Turk's way, beside the cotangents of the same surface.
+//! Compares growth by Turk's method with growth by cotangent weights on the same surface.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -17,52 +17,52 @@ use super::{mean, system, variation};
 const TIME: f64 = 60.0;
 /// Iterations of repulsion, as in the paper's figure 7.
 const ITERATIONS: usize = 40;
-/// Vertices of the surface that points are read on.
+/// Vertices of the surface on which values of points are read.
 const READ: f64 = 60_000.0;
 
 /// The share of the peak that is the edge of a spot.
 const EDGE: f32 = 0.5;
-/// Values so far apart about it stand for a part of a cell.
+/// Points whose values are within this distance of the edge count as partly inside.
 const SOFT: f32 = 0.4;
-/// Spots on each surface, about.
+/// The number of spots on each surface, about.
 const SPOTS: f64 = 80.0;
 
-/// Points to grow on.
+/// The points on which a pattern grows.
 #[derive(Clone, Copy, Debug)]
 pub struct Points {
-    /// How many a distance of spots.
+    /// Points per spacing of the spots.
     pub fineness: f64,
     /// Rounds of repulsion.
     pub iterations: usize,
-    /// Whether they are crowded at one pole afterwards.
+    /// Whether the points are then crowded at one pole.
     pub is_graded: bool,
 }
 
 impl Points {
-    /// Twelve a distance, as evenly spread as in the paper.
+    /// Twelve points per spacing, spread as evenly as in the paper.
     pub const USUAL: Self = Self { fineness: 12.0, iterations: ITERATIONS, is_graded: false };
 
-    /// How many there are on a surface with about so many spots.
+    /// The number of points on a surface with about this number of spots.
     fn number(self, spots: f64) -> usize {
         (self.fineness * self.fineness * spots * 0.75_f64.sqrt()).round() as usize
     }
 }
 
-/// What grew on points.
+/// The result of a growth on points.
 pub struct OnPoints {
     /// The surface, about as fine as the points.
     pub surface: Surface,
     /// Where they are.
     pub points: RelaxedPoints,
-    /// Spots that were laid.
+    /// The number of spots at the start.
     pub laid: usize,
-    /// What shows the marks, by point.
+    /// The values that show the marks, by point.
     pub marks: Vec<f32>,
-    /// What shows the marks, grown by cotangents on the surface and read at the points.
+    /// The values of a growth by cotangent weights on the surface, read at the points.
     pub by_cotangents: Vec<f32>,
 }
 
-/// Grows about so many round spots on relaxed points of a surface, and on the surface itself.
+/// Grows about this number of round spots on relaxed points of a surface, and on the surface itself.
 pub fn grown(mesh: &Mesh, spots: f64, points: Points, seed: u64) -> Result<OnPoints, String> {
     let (system, number) = (system()?, points.number(spots));
     let surface = Surface::new(evenly(mesh, number as f64), [1.0, 0.0, 0.0]);
@@ -84,7 +84,7 @@ pub fn grown(mesh: &Mesh, spots: f64, points: Points, seed: u64) -> Result<OnPoi
         let operators = Operators::new(system, &maps.domain.mesh, maps.domain.frames(), &maps.parameters);
         at_points(&shown(SurfaceGrowth::new(system, &maps, Arc::new(operators), &begin))?)
     };
-    // Lengths are in units of √(area ÷ points), whatever the cells of single points are.
+    // Lengths are in units of √(area ÷ number of points), whatever the areas of single cells are.
     let unit = maps.domain.mesh.area() / number as f64 / (maps.domain.unit() * maps.domain.unit());
     let own = Parameters { rate: maps.parameters[0].rate * unit as f32, ..maps.parameters[0] };
     let on_points = ParameterField::new(Grid::unit([number, 1], Edges::Closed), vec![own; number]);
@@ -94,14 +94,14 @@ pub fn grown(mesh: &Mesh, spots: f64, points: Points, seed: u64) -> Result<OnPoi
     Ok(OnPoints { laid: places.len(), marks, by_cotangents, surface: maps.domain, points: relaxed })
 }
 
-/// What a growth shows at its end.
+/// The final values of a growth.
 fn shown(growth: Option<SurfaceGrowth>) -> Result<Vec<f32>, String> {
     let mut growth = growth.ok_or("spots do not grow there")?;
     growth.advance(growth.steps_in(TIME));
     Ok(growth.marks())
 }
 
-/// The area around each point: of the parts of a finer surface that are nearest to it.
+/// The area around each point: that of the parts of a finer surface that are nearest to the point.
 fn areas(mesh: &Mesh, grown: &OnPoints) -> Vec<f64> {
     let fine = Surface::new(evenly(mesh, READ), [1.0, 0.0, 0.0]);
     let sums = WeightedSum::new(&grown.surface, &grown.points);
@@ -119,7 +119,8 @@ fn areas(mesh: &Mesh, grown: &OnPoints) -> Vec<f64> {
     areas
 }
 
-/// The spots in values by point. Points about the level count in part, as what lies between them.
+/// The spots in values by point. Points whose value is close to the level count in part, because the edge of a spot
+/// lies between points.
 fn read(grown: &OnPoints, areas: &[f64], values: &[f32]) -> Grown {
     let laplacian = voronoi_laplacian(&grown.surface, &grown.points);
     let mut pieces = UnionFind::new(values.len());
@@ -138,7 +139,7 @@ fn read(grown: &OnPoints, areas: &[f64], values: &[f32]) -> Grown {
     let [low, high] = grown.surface.mesh.bounds();
     let square = grown.surface.mesh.area() / SPOTS * 2.0 / 3.0_f64.sqrt();
     let share = |value: f32| f64::from(((value - EDGE) / SOFT + 0.5).clamp(0.0, 1.0));
-    // What lies below the level belongs to the spot of the highest neighbour.
+    // A point below the level belongs to the spot of its highest neighbour.
     let mut spots: BTreeMap<u32, (f64, f64)> = BTreeMap::new();
     for point in (0..values.len()).filter(|point| share(values[*point]) > 0.0) {
         let higher = neighbours(point).max_by(|a, b| values[*a as usize].total_cmp(&values[*b as usize]));
@@ -153,7 +154,7 @@ fn read(grown: &OnPoints, areas: &[f64], values: &[f32]) -> Grown {
     Grown { laid: grown.laid, spots }
 }
 
-/// Prints what grows on points that are relaxed more or less, finer or coarser, and crowded at one side.
+/// Prints results for points that are more or less relaxed, finer or coarser, and crowded at one side.
 pub fn table(seeds: u64) -> Result<(), String> {
     let sphere = sphere()?;
     let animal = animal()?;

@@ -1,11 +1,11 @@
-//! A plane of nearly regular triangles that goes round at its borders, as a mesh without a border.
+//! A plane of nearly regular triangles that is periodic at its borders, as a mesh without a border.
 
 use std::ops::Range;
 
 use dapple_engine::grid::{Borderless, Buckets, CellBuckets, Domain, Space};
 use dapple_engine::surface::{Laplacian, Mesh, Triangulation, edges, laplacian_of_lengths};
 
-/// A square with as many units of area as vertices. Places are [x, y].
+/// A periodic square whose area equals its number of vertices. Places are [x, y].
 #[derive(Clone, Copy, Debug)]
 pub struct Lattice {
     /// Vertices along a row, and rows, an even number.
@@ -15,7 +15,7 @@ pub struct Lattice {
 }
 
 impl Lattice {
-    /// One whose side is about this.
+    /// A lattice whose side is about `side`.
     pub fn new(side: f64) -> Self {
         // The side of a regular triangle whose area is ½, and its height.
         let edge = (2.0 / 3.0f64.sqrt()).sqrt();
@@ -29,7 +29,7 @@ impl Lattice {
         self.size.map(|n| self.side / n as f64)
     }
 
-    /// The vertex in a column and a row, which may lie beyond the border.
+    /// The vertex in a column and a row, which may be outside the square.
     fn vertex(&self, column: isize, row: isize) -> usize {
         let [columns, rows] = self.size.map(|n| n as isize);
         (row.rem_euclid(rows) * columns + column.rem_euclid(columns)) as usize
@@ -47,11 +47,11 @@ impl Lattice {
         (0..columns * rows).flat_map(|i| square(i % columns, i / columns)).collect()
     }
 
-    /// A flat mesh of it with a frame of so wide repeats about it, and the vertex of the lattice that each of its vertices is. y runs away
-    /// from the viewer, so that frames turn as on a canvas.
+    /// A flat mesh of the lattice with a frame of periodic copies of this width around it, and for each of its vertices
+    /// the vertex of the lattice. y runs away from the viewer, so that frames turn as on a canvas.
     pub fn unrolled(&self, frame: f64) -> (Mesh, Vec<usize>) {
         let steps = self.steps();
-        // An even number of rows, half a step to the right every other one.
+        // An even number of rows, because every other row is shifted by half a step.
         let more = steps.map(|step| 2 * (0.5 * frame / step).ceil() as isize);
         let [wide, high] = [0, 1].map(|axis| self.size[axis] as isize + 2 * more[axis]);
         let mut mesh = Mesh { positions: Vec::new(), faces: Vec::new() };
@@ -76,7 +76,7 @@ impl Lattice {
         (mesh, vertices)
     }
 
-    /// Its Laplacian with the same stretch everywhere: `ratio` across the direction `degrees`.
+    /// The Laplacian of the lattice with a constant stretch: `ratio` across the direction `degrees`.
     pub fn laplacian(&self, ratio: f64, degrees: f64) -> Laplacian {
         let faces = self.faces();
         let (ends, sides) = edges(&faces);

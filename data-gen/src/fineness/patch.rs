@@ -1,4 +1,4 @@
-//! A patch of spots at the same places on meshes and grids of any fineness.
+//! A patch of spots, with equal places on meshes and grids of any fineness.
 
 use std::sync::Arc;
 
@@ -10,42 +10,42 @@ use dapple_engine::surface::Surface;
 
 use super::lattice::Lattice;
 
-/// Side of a patch, spacings: 42 spots.
+/// Side of a patch, in spacings (42 spots).
 const SIDE: f64 = 6.0;
-/// Vertices a spacing where the places of spots are laid.
+/// Vertices per spacing on the mesh where the places of spots are chosen.
 const LAID: f64 = 12.0;
-/// Normalised time: areas are within .1 % of their limit.
+/// Normalised time: areas are then within 0.1 % of their limit.
 const TIME: f64 = 60.0;
 /// The share of the peak that is the edge of a spot.
 const LEVEL: f32 = 0.5;
 
-/// Spots of one kind, and where they begin.
+/// Spots of one kind, and the places where their growth starts.
 #[derive(Clone, Debug)]
 pub struct Patch {
     system: System,
-    /// With the rate that is left to the fineness.
+    /// The parameters; the rate follows from the fineness.
     parameters: Parameters,
     /// Places of the spots as shares of the side, 0..1.
     places: Vec<[f64; 2]>,
 }
 
-/// What grew.
+/// The result of a growth.
 #[derive(Clone, Copy, Debug)]
 pub struct Grown {
-    /// Spacing in units of √(mean cell area).
+    /// Spacing, in units of √(mean area of a cell).
     pub fineness: f64,
-    /// Spots that can be told apart.
+    /// The number of separate spots.
     pub spots: usize,
-    /// Area of a spot ÷ spacing², if all spots live, where values between vertices are interpolated linearly.
+    /// Area of a spot ÷ spacing², with linear interpolation between vertices; only if all spots are there.
     pub area: f64,
-    /// Area of a spot ÷ spacing² as the ruler reads it.
+    /// Area of a spot ÷ spacing², as dapple measures it.
     pub smooth: f64,
-    /// The mean aspect, as the ruler reads it.
+    /// The mean aspect, as dapple measures it.
     pub aspect: f64,
 }
 
 impl Patch {
-    /// Spots of these parameters, whose rate does not matter.
+    /// Spots with these parameters, whose rate is not used.
     pub fn new(system: System, parameters: Parameters, seed: u64) -> Self {
         let lattice = Lattice::new(SIDE * LAID);
         let own = with_fineness(system, parameters, lattice.side / SIDE);
@@ -55,12 +55,12 @@ impl Patch {
         Self { system, parameters, places }
     }
 
-    /// Spots laid.
+    /// The number of spots at the start.
     pub fn laid(&self) -> usize {
         self.places.len()
     }
 
-    /// Grown on triangles with about so many vertices a spacing.
+    /// Grows the spots on triangles, with about this number of vertices per spacing.
     pub fn on_triangles(&self, fineness: f64) -> Option<Grown> {
         let lattice = Lattice::new(SIDE * fineness);
         let fineness = lattice.side / SIDE;
@@ -94,14 +94,14 @@ impl Patch {
         let is_first = |i: &usize| marks[*i] > LEVEL && pieces.root(*i as u32).0 == *i as u32;
         let spots = (0..marks.len()).filter(is_first).count();
         let square = SIDE * SIDE * fineness * fineness;
-        // Of a hexagonal lattice with as many: area ÷ spots over square ÷ spots · 2/√3.
+        // For a hexagonal lattice with this number of spots, (area of the patch ÷ spots) ÷ spacing² = √¾.
         let area = area / square * 0.75f64.sqrt();
         Grown { fineness, spots, area, smooth: area, aspect: 1.0 }
     }
 }
 
-/// With the mean area and aspect of the spots as the ruler of surfaces reads them: on a plate of the lattice and a frame about it, so that
-/// every spot is whole there.
+/// Adds the mean area and aspect of the spots as dapple measures them on surfaces: on the lattice with a frame around
+/// it, so that every spot is whole there.
 fn by_the_ruler(lattice: &Lattice, marks: &[f32], grown: Grown) -> Grown {
     let (mesh, vertices) = lattice.unrolled(2.0 * grown.fineness);
     let values: Vec<f32> = vertices.iter().map(|vertex| marks[*vertex]).collect();
@@ -122,7 +122,7 @@ fn by_the_ruler(lattice: &Lattice, marks: &[f32], grown: Grown) -> Grown {
     }
 }
 
-/// The parameters with which spots are so many cells apart.
+/// The parameters with which the spacing of the spots is this number of cells.
 fn with_fineness(system: System, parameters: Parameters, fineness: f64) -> Parameters {
     let apart = system.spacing(&Parameters { rate: 1.0, ..parameters }) / fineness;
     Parameters { rate: (apart * apart) as f32, ..parameters }
@@ -131,7 +131,7 @@ fn with_fineness(system: System, parameters: Parameters, fineness: f64) -> Param
 /// The share of a triangle where a linear function with these values at its corners is above 0.
 fn share_above(values: [f64; 3]) -> f64 {
     let above = values.iter().filter(|value| **value > 0.0).count();
-    // The part about the corner that is alone on its side.
+    // The part at the corner that is alone on its side of 0.
     let alone = |k: usize| {
         let [own, next, last] = [values[k], values[(k + 1) % 3], values[(k + 2) % 3]];
         own / (own - next) * (own / (own - last))
@@ -152,14 +152,14 @@ mod tests {
     use dapple_engine::rd::Growth;
 
     #[test]
-    fn the_share_above_is_that_of_the_part_that_the_level_cuts_off() {
+    fn the_share_above_0_is_the_part_that_the_zero_line_cuts_off() {
         assert_eq!(share_above([-1.0, -2.0, -1.0]), 0.0);
         assert_eq!(share_above([1.0, 2.0, 1.0]), 1.0);
         assert_eq!(share_above([1.0, -1.0, -1.0]), 0.25);
         assert_eq!(share_above([-1.0, 1.0, 3.0]), 1.0 - 0.5 * 0.25);
     }
 
-    /// Grown on a grid with about so many cells a spacing.
+    /// Grows the spots on a grid, with about this number of cells per spacing.
     fn on_grid(patch: &Patch, fineness: f64) -> Option<Grown> {
         let side = (SIDE * fineness).round() as usize;
         let fineness = side as f64 / SIDE;
@@ -170,7 +170,7 @@ mod tests {
         let begin = from_places(patch.system, &maps, &places, &|_| false);
         let mut growth = Growth::resumed(patch.system, &maps, begin)?;
         growth.advance(growth.steps_in(TIME));
-        // Both ways to cut a square into triangles, as half of the area each.
+        // Both ways to cut a square into triangles; each counts half of the area.
         let square = |i: usize| {
             let at = |x: usize, y: usize| ((y % side) * side + x % side) as u32;
             let (x, y) = (i % side, i / side);

@@ -6,18 +6,19 @@ use dapple_engine::rd::{Parameters, System};
 
 use super::patch::{Grown, Patch};
 
-/// D_b/Dₐ.
+/// Values of the ratio D_b/Dₐ.
 const RATIOS: [f32; 6] = [12.0, 15.0, 20.0, 30.0, 42.0, 60.0];
-/// Minor ÷ major axis of the tensor.
+/// Values of minor ÷ major axis of the tensor.
 const STRETCHES: [f32; 5] = [1.0, 0.8, 0.6, 0.45, 0.35];
-/// Vertices a spacing. The limit is that of the last two.
+/// Values of the vertices per spacing. The limit is extrapolated from the last two.
 const FINENESS: [f64; 7] = [8.0, 10.0, 12.0, 16.0, 20.0, 28.0, 40.0];
-/// Patches of each.
+/// Patches for each combination.
 const PATCHES: u64 = 2;
-/// Degrees from one patch to the next: any direction to the lattice, whose own are 60° apart.
+/// Rotation from one patch to the next, degrees, so that the directions relative to the lattice vary. Those of the
+/// lattice are 60° apart.
 const TURN: f32 = 37.0;
 
-/// Their names.
+/// The names of the columns.
 pub const HEADER: &str = "seed,ratio,stretch,direction,fineness,spots,area,factor,smooth,aspect\n";
 
 /// The spots of all patches: seed and parameters.
@@ -30,7 +31,7 @@ pub fn patches() -> impl Iterator<Item = (u64, Parameters)> {
     })
 }
 
-/// The rows of one patch, those on which all spots live; `None` where none of them grow on surfaces.
+/// The rows of one patch on which all spots are there; `None` where none of them grow on surfaces.
 pub fn of_patch((seed, parameters): (u64, Parameters)) -> Option<String> {
     let system = System::ALL.into_iter().find(|system| system.definition().fineness.is_some())?;
     let patch = Patch::new(system, parameters, seed);
@@ -53,7 +54,8 @@ pub fn of_patch((seed, parameters): (u64, Parameters)) -> Option<String> {
     Some(rows)
 }
 
-/// A value on an endlessly fine mesh: it differs by 1/fineness² from those of the two finest.
+/// A value in the limit of an infinitely fine mesh: the error is proportional to 1/fineness², and follows from the two
+/// finest meshes.
 fn limit(grown: &[Grown], value: fn(&Grown) -> f64) -> f64 {
     let [.., a, b] = grown else { return f64::NAN };
     let [coarse, fine] = [a, b].map(|grown| 1.0 / (grown.fineness * grown.fineness));

@@ -1,42 +1,44 @@
-//! One patch of the map: it is grown, and what it holds is named.
+//! One patch of the map, which is grown and then classified.
 
 use dapple_engine::grid::resample::Spline;
 use dapple_engine::grid::{Edges, Field};
 use dapple_engine::rd::{Growth, ParameterField, Parameters, System};
 
-/// Cells along a side: five marks.
+/// Cells along a side, for five marks.
 const CELLS: usize = 50;
-/// Cells from mark to mark, as of layers.
+/// Cells from mark to mark, the same as for layers.
 const APART: f64 = 10.0;
 /// px along a side.
 pub const SIDE: usize = 48;
-/// Normalised time: ink is within 0.01 of its limit before (`facts.md` V).
+/// Normalised time: the share of ink is within 0.01 of its limit by then (`facts.md` V).
 const TIME: f64 = 20.0;
-/// px a cell in which shares and pieces are counted: on cells, ink counts up to 0.04 too much (`facts.md` V).
+/// px per cell where shares and pieces are counted: on single cells, the share of ink would be up to 0.04 too high
+/// (`facts.md` V).
 const FINE: usize = 4;
-/// Seed of all patches: they start alike, so that they can be compared.
+/// Seed of all patches. They all start alike, so that they can be compared.
 const SEED: u64 = 1;
-/// The pattern value of an edge: b = 3.
+/// The pattern value of an edge, where b = 3.
 const EDGE: f32 = 0.5;
-/// Lower differences of the pattern than this are no marks.
+/// A pattern with a smaller range than this has no marks.
 const FLAT: f32 = 0.1;
-/// The pattern value above which b, 27, has burst: where it comes late to much a. That of marks is 20 at most.
+/// The pattern value, for b = 27, above which b has diverged; this happens where b grows late, when there is much a. In
+/// marks b is at most 20.
 const BURST: f32 = 0.9;
-/// Shares of ink nearer to all than this are all.
+/// A share of ink above this counts as all ink.
 const ALL: f64 = 0.995;
-/// The largest piece of dots has no more of all ink, and the largest of holes no more of all ground.
+/// Dots: the largest piece of ink has at most this share of all ink. Holes: the same for the ground.
 const LARGEST: f64 = 0.15;
 
 /// What grows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// No pattern: b dies out, or bursts here and there.
+    /// No pattern: b disappears, or diverges in some places.
     Empty,
-    /// Pieces of ink.
+    /// Separate pieces of ink.
     Dots,
-    /// Neither is in pieces.
+    /// Neither ink nor ground is in separate pieces.
     Worms,
-    /// Pieces of ground.
+    /// Separate pieces of ground.
     Holes,
     /// No ground.
     Full,
@@ -66,7 +68,7 @@ pub struct Patch {
 }
 
 impl Patch {
-    /// Grows one, seamless.
+    /// Grows a patch, seamless.
     pub fn grown(growth: f32, decay: f32) -> Self {
         let system = System::with_growth();
         let root = (system.definition().laws.spacing)(1.0) / APART;
@@ -107,7 +109,7 @@ fn kind(marks: &Field, is_ink: &[bool], ink: f64) -> Kind {
     }
 }
 
-/// px of each connected piece of those that are `ink` on a seamless square.
+/// The area, px, of each connected piece of `ink` (or of ground) on a seamless square.
 fn pieces(is_ink: &[bool], ink: bool) -> Vec<usize> {
     let side = CELLS * FINE;
     let mut seen = vec![false; is_ink.len()];

@@ -7,13 +7,13 @@ use dapple_engine::rd::GrowthMap;
 
 use super::patch::{Kind, Patch, SIDE};
 
-/// px left of the patches, above, right and below.
+/// Margins of the patches, px: left, above, right, below.
 const AROUND: [f64; 4] = [58.0, 30.0, 12.0, 46.0];
-/// px across a strip of the picture in the SVG.
+/// Width of the strips of the picture in the SVG, px.
 const STRIP: usize = 16 * SIDE;
-/// Of words and axes: as far from white as from black.
+/// The colour of texts and axes: equally far from white and from black.
 const GREY: &str = "#7a7a7a";
-/// Of borders and names (Okabe & Ito, 2008).
+/// The colour of border lines and names (Okabe & Ito, 2008).
 const BORDER: &str = "#d55e00";
 /// The decay of layers.
 const USUAL: f32 = 20.0;
@@ -26,7 +26,7 @@ pub fn gray(map: &GrowthMap, patches: &[Patch]) -> ([usize; 2], Vec<u8>) {
         let [x, y] = [px % size[0], px / size[0]];
         let patch = &patches[(rows - 1 - y / SIDE) * columns + x / SIDE];
         let ink = patch.pattern[y % SIDE * SIDE + x % SIDE];
-        // Steeper than b is, so that edges are seen.
+        // Steeper than b itself, so that edges are visible.
         (255.0 * (1.5 - 2.0 * ink).clamp(0.0, 1.0)).round() as u8
     };
     (size, (0..size[0] * size[1]).map(px).collect())
@@ -61,7 +61,7 @@ pub fn svg(map: &GrowthMap, patches: &[Patch], size: [usize; 2], values: &[u8]) 
     svg + &usual(map, &at) + "</svg>\n"
 }
 
-/// The picture in upright strips: as wide as pictures in documents may be.
+/// The picture in vertical strips, which are as wide as pictures in documents may be.
 fn strips([width, height]: [usize; 2], values: &[u8]) -> String {
     let strip = |from: usize| {
         let columns = from..width.min(from + STRIP);
@@ -104,7 +104,7 @@ fn borders(map: &GrowthMap, patches: &[Patch], at: At) -> String {
     format!("<path d=\"{path}\" fill=\"none\" stroke=\"{BORDER}\" stroke-width=\"3\"/>\n")
 }
 
-/// The name of each kind where its patches are most in a row.
+/// The name of each kind, in the row where most of its patches are.
 fn names(map: &GrowthMap, patches: &[Patch], at: At) -> String {
     let columns = map.patches[0];
     let kinds = [Kind::Empty, Kind::Dots, Kind::Worms, Kind::Holes, Kind::Full];

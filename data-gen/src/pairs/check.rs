@@ -4,7 +4,7 @@ use super::draw::{QUANTITIES, quantities};
 use crate::allowed::{check_values, same_unit, within};
 use crate::plan::Set;
 
-/// Range of the periods along a side of a patch, and of the cells of one.
+/// Range of the number of periods along a side of a patch, and of the cells per period.
 const GROWN: [f64; 2] = [6.0, 1_000.0];
 
 /// Checks that this set of a system of pairs can be run.

@@ -1,11 +1,11 @@
-//! What is drawn for run i of a set of pairs.
+//! The marks that are drawn for run i of a set of pairs.
 
 use dapple_engine::synth::Drawn;
 
 use crate::draw::point;
 use crate::plan::{Range, Set};
 
-/// A quantity that may be varied: its name, its unit, lowest and highest value, and where it stands in what is drawn.
+/// A quantity that can be varied: its name, its unit, its lowest and highest value, and its place in what is drawn.
 pub struct Quantity {
     /// Its name in plans.
     pub name: &'static str,
@@ -17,11 +17,11 @@ pub struct Quantity {
     pub of: &'static [&'static str],
     /// Its range in a set.
     pub range: fn(&Set) -> Option<&Range>,
-    /// Where it stands.
+    /// The place of the value in what is drawn.
     value: fn(&mut Drawn) -> Place<'_>,
 }
 
-/// A number of what is drawn.
+/// A place for a number in what is drawn.
 enum Place<'a> {
     Real(&'a mut f64),
     Whole(&'a mut usize),
@@ -125,7 +125,7 @@ pub fn quantities(set: &Set) -> impl Iterator<Item = &'static Quantity> {
     QUANTITIES.iter().filter(move |quantity| quantity.of.contains(&name))
 }
 
-/// What is drawn for run `index` of `set`, and the same by name.
+/// What is drawn for run `index` of `set`, and its quantities by name.
 pub fn drawn(set: &Set, index: u64) -> (Drawn, Vec<(&'static str, f64)>) {
     let varied = |quantity: &&Quantity| (quantity.range)(set).is_some_and(Range::varies);
     let point = point(index, quantities(set).filter(varied).count(), set.seed);

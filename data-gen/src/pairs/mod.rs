@@ -1,4 +1,4 @@
-//! Sets of systems of pairs: what is drawn for run i, its check, and the run.
+//! Sets of systems of pairs: what is drawn for run i, the check of a set, and the run.
 
 mod check;
 mod draw;

@@ -8,7 +8,7 @@ use super::draw::drawn;
 use crate::plan::Set;
 use crate::verdicts::ACCEPTED;
 
-/// Grows, measures and judges run `index` of `set`, which is of `system`.
+/// Grows, measures and judges run `index` of `set`, whose system is `system`.
 pub fn run(set: &Set, system: &'static Description, index: u64) -> Result<(&'static str, String), String> {
     let (drawn, named) = drawn(set, index);
     let (periods, least) = (set.patch.grown, set.patch.least);
@@ -20,7 +20,7 @@ pub fn run(set: &Set, system: &'static Description, index: u64) -> Result<(&'sta
         }
         Err(reason) => {
             let values = named.iter().map(|(_, value)| six_digits(*value)).collect::<Vec<_>>().join(",");
-            // The sentences hold no quotes.
+            // The texts contain no quotes.
             let detail = reason.to_string().replace('"', "'");
             Ok((reason.kind(), format!("{},{values},{},\"{detail}\"", patch.seed, reason.kind())))
         }

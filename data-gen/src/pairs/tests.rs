@@ -38,7 +38,7 @@ fn a_set_of_pairs_is_swept_and_learnt_from() {
 #[test]
 fn runs_of_pairs_that_are_not_as_drawn_are_rejected_with_their_reason() {
     let mut plan = of_pairs("weave", 4);
-    // Three directions of which the others leave too little of the first.
+    // Three directions of which two leave too little room for the first.
     let s = &mut plan.sets[0].sweep;
     s.directions.as_mut().unwrap().range = [3.0, 3.0];
     s.duty.as_mut().unwrap().range = [0.12, 0.12];

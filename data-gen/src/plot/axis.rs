@@ -1,20 +1,20 @@
 //! A logarithmic axis.
 
-/// Positive numbers along a side of a plot.
+/// A logarithmic scale along a side of a plot.
 pub struct Axis {
     /// ln of the lowest and the highest number shown.
     span: [f64; 2],
-    /// px of these.
+    /// The places of these two numbers, px.
     px: [f64; 2],
 }
 
 impl Axis {
-    /// Over `values`, those above 0, with a `margin` on both sides, a share of their span.
+    /// An axis over those of the `values` that are above 0, with a `margin` on both sides, as a share of their span.
     pub fn over(values: impl Iterator<Item = f64>, px: [f64; 2], margin: f64) -> Self {
         let logs = values.filter(|value| *value > 0.0).map(libm::log);
         let [low, high] =
             logs.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]);
-        // One number alone, or none.
+        // There is only one number, or none.
         let [low, high] = if low < high { [low, high] } else { [low.min(0.0) - 1.0, high.max(0.0) + 1.0] };
         let margin = margin * (high - low);
         Self { span: [low - margin, high + margin], px }
@@ -27,13 +27,13 @@ impl Axis {
         self.px[0] + share * (self.px[1] - self.px[0])
     }
 
-    /// Round numbers to name: 1, 2, 5 a decade where there are few, else 1.
+    /// Round numbers for labels: 1, 2, 5 of each decade where there are few decades, else 1.
     pub fn ticks(&self) -> Vec<f64> {
         let decades = (self.span[1] - self.span[0]) / libm::log(10.0);
         let digits: &[f64] = if decades < 2.2 { &[1.0, 2.0, 5.0] } else { &[1.0] };
         let first = (self.span[0] / libm::log(10.0)).floor() as i32;
         (first..first + 12)
-            // A negative power as a quotient: 0.001 and not 0.0010000000000000002.
+            // A negative power is computed as a quotient, which gives 0.001 instead of 0.0010000000000000002.
             .flat_map(|power| {
                 digits.iter().map(move |digit| match power {
                     0.. => digit * libm::pow(10.0, f64::from(power)),

@@ -9,7 +9,7 @@ pub struct Panel {
     pub errors: String,
     /// The quantity with its unit.
     pub title: String,
-    /// One a method.
+    /// The curves, one for each method.
     pub curves: Vec<Curve>,
 }
 
@@ -18,18 +18,18 @@ pub struct Panel {
 pub struct Curve {
     /// The method.
     pub method: String,
-    /// By the number of rows.
+    /// The points, in the order of the number of rows.
     pub points: Vec<Point>,
 }
 
-/// The errors with so many rows.
+/// The errors with one number of rows.
 #[derive(Debug)]
 pub struct Point {
-    /// Rows that were learnt from.
+    /// The number of training rows.
     pub rows: f64,
-    /// Of the absolute errors.
+    /// Median of the absolute errors.
     pub median: f64,
-    /// Of the absolute errors.
+    /// 95th percentile of the absolute errors.
     pub p95: f64,
 }
 
@@ -52,7 +52,7 @@ pub fn panels(text: &str) -> Result<Vec<Panel>, String> {
         let cell = |column: usize| cells.get(places[column]).copied().unwrap_or_default();
         let [system, errors, method, rows, quantity, unit, median, p95] = std::array::from_fn(cell);
         if median.is_empty() {
-            // How many failed.
+            // The row with the number of failures.
             continue;
         }
         let value = |text: &str| {

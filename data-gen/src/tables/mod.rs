@@ -20,21 +20,21 @@ pub struct Args {
 
 #[derive(Clone, Copy, clap::ValueEnum)]
 enum Table {
-    /// How far drawn spots that are kept grow from their places: near pairs, and marks near a closed edge
+    /// How far drawn spots that are kept grow from their places: pairs close together, and marks near a closed edge
     Pairs,
-    /// How many drawn lines of the examples lie in stripes, kept and not
+    /// How many drawn lines of the examples lie in stripes, with and without keeping them
     Lines,
-    /// How much spots vary against how much was asked
+    /// How much spots vary, compared with the variation that was asked for
     Spread,
-    /// How far stripes are from the drawn directions, by what they begin from
+    /// How far stripes are from the drawn directions, for each kind of start
     Seeding,
-    /// How far six other seeds change the attributes of golden textures: the tolerances of docs/golden.md
+    /// How much six other seeds change the attributes of golden textures: the tolerances of docs/golden.md
     Seeds,
-    /// Cell updates that were expected and taken: the shares in src/engine/synth/estimate.rs
+    /// Cell updates, expected and actual: the shares in src/engine/synth/estimate.rs
     Updates,
 }
 
-/// Prints the tables, line by line as they are grown.
+/// Prints the tables; each line is printed as soon as it is grown.
 pub fn run(args: &Args) -> Result<(), String> {
     args.tables.iter().try_for_each(|table| match table {
         Table::Pairs => pinned::pairs(),

@@ -1,4 +1,4 @@
-//! Drawn marks that are kept: how far from their places they grow.
+//! How far drawn marks that are kept grow from their places.
 
 use dapple::document::{Document, SystemChoice};
 use dapple_engine::attributes::AttributeMap;
@@ -47,7 +47,7 @@ impl Spots {
         Mark::Ellipse(Ellipse::from_area(center, 300.0, self.aspect, 30.0))
     }
 
-    /// How far, in radii, `marks` grow from their places on a canvas of 12 spacings.
+    /// Distances, in radii, of the grown `marks` from their places, on a canvas of 12 spacings.
     fn among(self, edges: Edges, marks: &[Mark]) -> Result<Vec<f64>, String> {
         let spacing = self.spacing();
         let drawn = [self.mark([200.0, 200.0]), self.mark([200.0 + spacing, 200.0])];
@@ -65,7 +65,7 @@ impl Spots {
         Ok(distances(plan.pinned_spots(), plan.lookup.map.layout(), &spots))
     }
 
-    /// Nine pairs at this distance in spacings, along or across.
+    /// Nine pairs whose marks are `apart` spacings from each other, across or along the marks.
     fn pairs(self, apart: f64, across: bool) -> Vec<Mark> {
         let longer = if across { 1.0 / self.aspect } else { self.aspect };
         let (s, c) = (if across { 120.0f64 } else { 30.0 }).to_radians().sin_cos();
@@ -77,7 +77,7 @@ impl Spots {
         (0..9).flat_map(pair).collect()
     }
 
-    /// Four marks at this distance in spacings from the left edge.
+    /// Four marks that are `away` spacings from the left edge.
     fn at_edge(self, away: f64) -> Vec<Mark> {
         let mark = |k: i32| self.mark([away, 2.4 * f64::from(k)].map(|v| v * self.spacing()));
         (1..=4).map(mark).collect()
@@ -113,7 +113,7 @@ fn print(what: &str, mut all: Vec<f64>) -> Result<(), String> {
     say(&format!("{what}: kept {n}, off {lost}, median {median:.3}, 90 % {most:.3}, worst {worst:.2}"))
 }
 
-/// Drawn lines of the examples, kept and not: how many lie in stripes, and how far directions are off.
+/// Drawn lines of the examples, kept and not: how many lie in stripes, and how far their directions are off.
 pub fn lines() -> Result<(), String> {
     let names = [
         "line-stripes",

@@ -1,4 +1,4 @@
-//! How far stripes are from the drawn directions, by what they begin from.
+//! How far stripes are from the drawn directions, for each kind of start.
 
 use dapple::document::{Document, Layer, LayerOptions, Seeding, Stroke};
 use dapple_engine::marks::Line;
@@ -8,7 +8,7 @@ use dapple_engine::synth::Measured;
 use super::layers;
 use crate::say;
 
-/// What stripes begin from, and whether drawn lines are kept.
+/// The kinds of start, and whether drawn lines are kept.
 const WAYS: [(&str, Seeding, bool); 4] = [
     ("noise", Seeding::Noise, false),
     ("noise, lines kept", Seeding::Noise, true),

@@ -1,4 +1,4 @@
-//! How far other seeds change the attributes of the golden textures.
+//! How much other seeds change the attributes of the golden textures.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use super::golden;
 use crate::say;
 
-/// The attributes that are compared: as a share of the first value, or as a difference.
+/// The attributes that are compared relative to the first value; others are compared by their difference.
 const SHARES: [&str; 5] = ["area", "spacing", "width", "wavelength", "marks"];
 
 /// The largest change of each attribute over six other seeds, texture by texture.

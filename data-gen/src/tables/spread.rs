@@ -1,4 +1,4 @@
-//! How much spots vary against how much was asked.
+//! How much spots vary, compared with the variation that was asked for.
 
 use dapple::document::{Document, Layer, LayerOptions, SpreadChoice, Stroke, SystemChoice};
 use dapple_engine::attributes::{Attribute, Spread};
@@ -47,7 +47,7 @@ const KINDS: [Spots; 4] = [
     },
 ];
 
-/// What is asked of each attribute: shares of the mean, of angles degrees.
+/// The variation that is asked for, of each attribute: relative to the mean; of angles degrees.
 const ASKED: [(Attribute, [f64; 6]); 4] = [
     (Attribute::Area, [0.05, 0.1, 0.2, 0.3, 0.4, 0.6]),
     (Attribute::Angle, [3.0, 6.0, 12.0, 20.0, 30.0, 45.0]),
@@ -55,7 +55,7 @@ const ASKED: [(Attribute, [f64; 6]); 4] = [
     (Attribute::Spacing, [0.1, 0.12, 0.14, 0.16, 0.18, 0.2]),
 ];
 
-/// Asked → grown, of each attribute alone.
+/// Prints asked → grown, for each attribute alone.
 pub fn print() -> Result<(), String> {
     for spots in KINDS {
         say(spots.name)?;
@@ -90,7 +90,8 @@ fn cell(spots: Spots, attribute: Attribute, value: f64) -> Result<String, String
     Ok(format!("{value} → {mean:.3} ± {off:.3}{merged}"))
 }
 
-/// 130 to 200 spots with this spread on a tile: what was measured, and the number of merged marks.
+/// Grows 130 to 200 spots with this spread on a seamless canvas: the measured variation, and the number of merged
+/// marks.
 fn grown(spots: Spots, spread: Spread, seed: u64) -> Result<(SpotErrors, usize), String> {
     let spacing = (300.0 / spots.packing).sqrt();
     let ellipse = |x: f64| Stroke::Ellipse(Ellipse::from_area([x, 200.0], 300.0, spots.aspect, 30.0));

@@ -1,4 +1,4 @@
-//! Cell updates that were expected of growths and that they took: the same on any machine.
+//! Cell updates of growths, expected and actual. They are equal on every machine.
 
 use dapple::document::Document;
 use dapple_engine::synth::marks::plan::Targets;
@@ -10,7 +10,7 @@ use crate::say;
 const EXAMPLES: [&str; 8] =
     ["zebra", "cheetah-run", "fallow-deer", "tiger", "poppy-seeds", "starry-sky", "dart-frog", "bongo"];
 
-/// Millions of updates expected ÷ taken, layer by layer, of the golden documents and of some examples.
+/// Millions of updates, expected ÷ actual, layer by layer, for the golden documents and some examples.
 pub fn print() -> Result<(), String> {
     let mut all = golden()?;
     for name in EXAMPLES {

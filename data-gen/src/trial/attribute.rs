@@ -4,21 +4,21 @@
 pub struct Attribute {
     /// Its name in `docs/format.md`.
     pub name: &'static str,
-    /// What errors are printed in.
+    /// The unit in which errors are printed.
     pub unit: &'static str,
-    /// An error of 1 in that unit.
+    /// The factor from an error to this unit.
     pub factor: f64,
     /// Bounds of the median and 95th percentile of |error|, in that unit; `None` where it is only printed.
     pub bounds: Option<[f64; 2]>,
-    /// Whether it is of spots; of stripes otherwise.
+    /// Whether it is an attribute of spots; otherwise it is one of stripes.
     pub spots: bool,
 }
 
-/// All of them; a region's errors stand in this order.
+/// All attributes; the errors of a region are in this order.
 pub const ATTRIBUTES: [Attribute; 8] = [
     spots("area", "%", 100.0, Some([1.0, 3.0])),
     spots("spacing", "%", 100.0, Some([2.0, 6.0])),
-    // `docs/format.md` measures errors over the whole layer; this reads that as over the layer's whole marks.
+    // `docs/format.md` defines errors over the whole layer. Here that means over all whole marks of the layer.
     spots("spacing of whole marks", "%", 100.0, None),
     spots("aspect", "", 1.0, Some([0.006, 0.02])),
     spots("angle", "°", 1.0, Some([0.5, 2.0])),

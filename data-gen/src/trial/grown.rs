@@ -18,11 +18,11 @@ use super::verdict::{self, Failure};
 
 /// A document to try.
 pub struct Task {
-    /// The file's name without its ending, or the sketch's.
+    /// The name of the file without its ending, or that of the sketch.
     pub name: String,
     /// Whether it is a random sketch.
     pub random: bool,
-    /// What was drawn.
+    /// The document.
     pub document: Document,
 }
 
@@ -42,9 +42,9 @@ pub struct Outcome {
     pub seconds: f64,
     /// What the passes over its layers did.
     pub passes: Vec<Entry>,
-    /// What was measured.
+    /// What was measured, by region.
     pub regions: Vec<Region>,
-    /// What is wrong.
+    /// The failures.
     pub failures: Vec<Failure>,
 }
 
@@ -54,21 +54,21 @@ pub struct Region {
     pub layer: usize,
     /// [column, row].
     pub place: [usize; 2],
-    /// Whole marks, of spots.
+    /// Whole marks (only for spots).
     pub marks: usize,
-    /// Means of the region map where marks (or stripes) are.
+    /// The mean attributes asked for, at the places of the marks (or stripes).
     pub wanted: Option<Attributes>,
-    /// Means over them.
+    /// The mean attributes of the marks (or stripes).
     pub got: Option<Attributes>,
-    /// By attribute.
+    /// Errors by attribute.
     pub errors: Errors,
 }
 
 impl Task {
-    /// Grows, measures, writes pictures into `out`.
+    /// Grows and measures the document, and writes pictures into `out`.
     ///
     /// # Errors
-    /// A picture cannot be written. A document that does not grow is an outcome.
+    /// A picture cannot be written. A document that does not grow is not an error, but an outcome.
     pub fn run(&self, training: &Training, passes: &PassArgs, out: Option<&Path>) -> Result<Outcome, String> {
         let mut outcome = Outcome {
             name: self.name.clone(),

@@ -1,4 +1,4 @@
-//! The table of how well textures match what was drawn: over all examples and as many random sketches.
+//! Measures how well textures match what was drawn, over all examples and many random sketches.
 //!
 //! ```text
 //!  examples/*.dapple ─┐
@@ -6,8 +6,8 @@
 //!  sketches (seed)  ──┘
 //! ```
 //!
-//! What is measured is the picture that `dapple grow --pattern` writes, in its 16 bits, in the words of `docs/format.md`;
-//! nothing is taken from the report of the growth.
+//! The picture that `dapple grow --pattern` writes, with its 16 bits, is measured as `docs/format.md` defines. Nothing
+//! is taken from the report of the growth.
 
 mod attribute;
 mod dice;
@@ -34,7 +34,7 @@ use dapple_engine::synth::passes::Entry;
 use grown::Task;
 use passes::PassArgs;
 
-/// What to try, and where to write what came out.
+/// The options of the trial.
 #[derive(clap::Args)]
 #[command(args_conflicts_with_subcommands = true)]
 pub struct Args {
@@ -43,13 +43,13 @@ pub struct Args {
     /// Random sketches
     #[arg(long, value_name = "N", default_value_t = 100)]
     sketches: u64,
-    /// The first of them
+    /// The index of the first random sketch
     #[arg(long, value_name = "N", default_value_t = 0)]
     from: u64,
-    /// The seed that the random sketches are drawn from
+    /// The seed of the random sketches
     #[arg(long, value_name = "N", default_value_t = sketches::SEED)]
     seed: u64,
-    /// Where the examples are; a folder that is not there holds none
+    /// The folder of the examples; where it is missing, there are none
     #[arg(long, value_name = "DIR", default_value = "examples")]
     examples: PathBuf,
     /// Use the training sets in this folder instead of those built in
@@ -57,7 +57,7 @@ pub struct Args {
     training: Option<PathBuf>,
     #[command(flatten)]
     passes: PassArgs,
-    /// Threads to use, each growing documents of its own [default: all cores]
+    /// Threads to use; each grows its own documents [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
     /// Also write each document, its texture and its pattern into this folder
@@ -85,7 +85,8 @@ enum What {
     PairStripes(pairs::Args),
 }
 
-/// Grows and measures all, and prints the table. Returns whether all bounds hold and nothing failed.
+/// Grows and measures all documents, and prints the table. Returns whether all values are within the bounds and nothing
+/// failed.
 pub fn run(args: &Args) -> Result<bool, String> {
     match &args.what {
         None => {}
@@ -163,8 +164,8 @@ mod tests {
     use dapple_engine::synth::Training;
 
     #[test]
-    fn two_sketches_are_grown_and_measured_the_same_by_one_thread_and_by_two() {
-        // A round one of 1 × 1 region and one of stripes, made small.
+    fn two_sketches_have_the_same_results_with_one_thread_and_with_two() {
+        // A sketch of round spots in one region, and one of stripes, made small.
         let mut tasks = Vec::new();
         for (name, stroke) in [
             ("spot", r#"{"kind": "ellipse", "center": [20, 20], "radii": [6, 4], "angle": 30}"#),

@@ -1,4 +1,4 @@
-//! The numbers of the trial as a file.
+//! Writes the numbers of the trial to a file.
 
 use std::io::Write;
 use std::path::Path;
@@ -10,13 +10,13 @@ use serde_json::{Map, Value, json};
 use super::attribute::ATTRIBUTES;
 use super::grown::{Outcome, Region};
 
-/// Writes the numbers of each region, and what failed.
+/// Writes the numbers of each region, and the failures.
 pub fn numbers(path: &Path, seed: u64, outcomes: &[Outcome]) -> Result<(), String> {
     let text = format!("{:#}\n", json(seed, outcomes));
     files::save(path, |out| Ok(out.write_all(text.as_bytes())?)).map_err(|error| error.to_string())
 }
 
-/// The numbers of each region, and what failed, as a JSON value.
+/// The numbers of each region, and the failures, as a JSON value.
 pub fn json(seed: u64, outcomes: &[Outcome]) -> Value {
     let documents: Vec<Value> = outcomes
         .iter()

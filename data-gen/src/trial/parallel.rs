@@ -1,17 +1,17 @@
-//! Many documents, each grown by one thread.
+//! Work on many documents in parallel, each grown by one thread.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// The number of threads to use: those asked for, or one a core.
+/// The number of threads to use: the given number, or one for each core.
 pub fn threads(asked: Option<u16>) -> usize {
     let cores = || std::thread::available_parallelism().map_or(1, usize::from);
     asked.map_or_else(cores, usize::from)
 }
 
-/// The result of `work` for each of `tasks`, in their order; `name` is what the progress bar calls a task.
+/// The results of `work` for each of `tasks`, in their order. `name` gives the name of a task in the progress bar.
 ///
 /// Each thread grows whole documents, since grids are too small for several threads to share one. The results do not depend
 /// on their number.

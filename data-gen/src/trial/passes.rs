@@ -1,4 +1,4 @@
-//! Passes that a trial leaves out, and what each pass saw, changed and cost in it.
+//! Passes that a trial leaves out, and what each pass saw, changed and cost.
 
 use std::fmt::Write;
 
@@ -10,18 +10,18 @@ use dapple_engine::synth::{Grown, Growth, Options};
 
 use crate::cpu;
 
-/// Which passes to leave out, and from which seeds to grow.
+/// The passes to leave out, and the seeds to grow from.
 #[derive(clap::Args, Clone, Default)]
 pub struct PassArgs {
-    /// Passes to leave out, to see what they earn
+    /// Passes to leave out, to see their effect
     #[arg(long, value_name = "PASS", value_delimiter = ',', value_parser = named)]
     without: Vec<Pass>,
-    /// Number to add to the seed of each document, to see the scatter between seeds
+    /// A number to add to the seed of each document, to see how much results differ between seeds
     #[arg(long, value_name = "N", default_value_t = 0)]
     reseed: u64,
 }
 
-/// The pass of a name that can be left out.
+/// The pass with this name, which can be left out.
 fn named(name: &str) -> Result<Pass, String> {
     let mut left_out = Pass::ALL.into_iter().filter(|pass| pass.can_be_left_out());
     left_out.clone().find(|pass| pass.name() == name).ok_or_else(|| {
@@ -32,13 +32,13 @@ fn named(name: &str) -> Result<Pass, String> {
 }
 
 impl PassArgs {
-    /// A document with another seed, where one is asked for.
+    /// The document, with another seed if one was asked for.
     pub fn reseeded(&self, mut document: Document) -> Document {
         document.seed = document.seed.wrapping_add(self.reseed);
         document
     }
 
-    /// Grows a document, and writes down what its passes did.
+    /// Grows a document, and records what its passes did.
     pub fn grow(&self, document: &Document, options: &Options) -> (Result<Grown, GrowError>, Vec<Entry>) {
         let without = self.without.iter().fold(PassSet::NONE, |set, pass| set.with(*pass));
         let grow = || Growth::begin(document, options, None).without(without).run();
@@ -49,7 +49,7 @@ impl PassArgs {
     }
 }
 
-/// The table of what passes did: a line for each that did anything.
+/// The table of what the passes did: a line for each pass that did anything.
 pub fn table(entries: &[Entry]) -> String {
     let total: f64 = entries.iter().map(|entry| entry.seconds).sum();
     let mut text = String::from("passes                 runs  rounds   changed    updates   CPU time\n");

@@ -1,4 +1,5 @@
-//! Whether patches have the area, spacing, aspect, direction and raggedness of the drawn outlines, over random sketches of nine each.
+//! Measures whether patches have the area, spacing, aspect, direction and raggedness of the drawn outlines, over random
+//! sketches of nine outlines each.
 
 use std::f64::consts::{PI, TAU};
 use std::time::Instant;
@@ -13,7 +14,7 @@ use super::statistics::Summary;
 
 /// The seed of all sketches: the year of the paper on partition of unity parametrics.
 const SEED: u64 = 2009;
-/// What is measured, with its unit and how its numbers are shown.
+/// The attributes that are measured, with their factor and unit in the table.
 const ATTRIBUTES: [(Attribute, f64, &str); 5] = [
     (Attribute::Area, 100.0, "%"),
     (Attribute::Spacing, 100.0, "%"),
@@ -21,28 +22,28 @@ const ATTRIBUTES: [(Attribute, f64, &str); 5] = [
     (Attribute::Angle, 1.0, "°"),
     (Attribute::Raggedness, 100.0, "%"),
 ];
-/// A mark of so many times the area that is asked for is two that ran together.
+/// A mark whose area is more than this many times the asked one is two that grew together.
 const MERGED: f64 = 1.6;
 /// Corners of a drawn outline.
 const CORNERS: usize = 90;
-/// Halvings by which the waves of an outline are made as high as its raggedness needs.
+/// Steps of the bisection that finds the height of an outline's waves for its raggedness.
 const HALVINGS: usize = 30;
 
-/// What to try.
+/// The options of the trial.
 #[derive(clap::Args)]
 pub struct Args {
-    /// How many sketches
+    /// Number of sketches
     #[arg(long, value_name = "N", default_value_t = 60)]
     sketches: u64,
     /// Sides of the canvas, px
     #[arg(long, value_name = "PX", default_value_t = 1024, value_parser = clap::value_parser!(u32).range(256..=8192))]
     side: u32,
-    /// Threads to use, each growing documents of its own [default: all cores]
+    /// Threads to use; each grows its own documents [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 }
 
-/// What a sketch asks for.
+/// The attributes that a sketch asks for.
 struct Wanted {
     coverage: f64,
     area: f64,
@@ -52,7 +53,7 @@ struct Wanted {
     edges: Edges,
 }
 
-/// What grew of a sketch.
+/// The result of a sketch.
 struct Outcome {
     errors: [Option<f64>; ATTRIBUTES.len()],
     patches: usize,
@@ -61,7 +62,7 @@ struct Outcome {
     seconds: f64,
 }
 
-/// Grows and measures all sketches, and prints the table. Returns whether nothing failed or ran together.
+/// Grows and measures all sketches, and prints the table. Returns whether nothing failed and no patches grew together.
 pub fn run(args: &Args) -> Result<bool, String> {
     let sketches: Vec<u64> = (0..args.sketches).collect();
     let name = |index: &u64| format!("patches {index}");
@@ -118,7 +119,8 @@ fn tried(index: u64, side: u32) -> Result<Outcome, String> {
 }
 
 impl Wanted {
-    /// Coverage .15–.7, aspect .4–.9 (.8 above a raggedness of 1.6), raggedness 1.15–2.2, areas of 500–3,000 px².
+    /// Random attributes: coverage 0.15–0.7, aspect 0.4–0.9 (0.8 above a raggedness of 1.6), raggedness 1.15–2.2, areas
+    /// of 500–3,000 px².
     fn drawn(dice: &mut Dice) -> Self {
         let coverage = dice.between([0.15, 0.7]);
         let raggedness = dice.between([1.15, 2.2]);
@@ -129,7 +131,7 @@ impl Wanted {
         Self { coverage, area, aspect, angle, raggedness, edges }
     }
 
-    /// Nine outlines on a hexagonal lattice in the middle, none of which is kept.
+    /// Nine outlines on a hexagonal lattice in the middle; the drawn outlines themselves are not part of the texture.
     fn document(&self, dice: &mut Dice, side: u32, seed: u64) -> Document {
         let apart = (self.area * 2.0 / (3f64.sqrt() * self.coverage)).sqrt();
         let middle = 0.5 * f64::from(side);
@@ -144,7 +146,7 @@ impl Wanted {
         Document { edges: self.edges, seed, ..Document::new([side; 2]).with_layer(layer) }
     }
 
-    /// An ellipse whose radius varies by four waves, as high as the raggedness needs.
+    /// An ellipse whose radius varies by four waves, whose height gives the raggedness.
     fn outline(&self, dice: &mut Dice, at: [f64; 2]) -> Vec<[f64; 2]> {
         let waves =
             [3.0f64, 5.0, 8.0, 13.0].map(|turns| (turns, dice.between([0.0, TAU]), dice.between([0.5, 1.0])));
@@ -169,7 +171,7 @@ impl Wanted {
         shape(low)
     }
 
-    /// The shape turned and scaled to the wanted direction and area.
+    /// The shape, turned and scaled to the asked direction and area.
     fn placed(&self, shape: Vec<[f64; 2]>, at: [f64; 2]) -> Vec<[f64; 2]> {
         let next = shape.iter().cycle().skip(1);
         let area: f64 = shape.iter().zip(next).map(|(a, b)| 0.5 * (a[0] * b[1] - b[0] * a[1])).sum();
@@ -191,7 +193,7 @@ mod tests {
             let wanted = Wanted::drawn(&mut dice);
             let outline = wanted.outline(&mut dice, [500.0, 400.0]);
             let found = raggedness(&outline).expect("an area");
-            // The smoothest are a little rounder than the waves make them.
+            // The smoothest outlines are a little rounder than the waves alone would make them.
             assert!((found / wanted.raggedness - 1.0).abs() < 0.02, "{found} {}", wanted.raggedness);
         }
     }

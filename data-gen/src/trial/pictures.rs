@@ -1,4 +1,4 @@
-//! What the trial grows as files: documents and pictures.
+//! Writes the documents and pictures of a trial to files.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! Random sketches as users would draw them: a handful of jittered marks a region, loosely arranged.
+//! Random sketches like those that users draw: a few irregular marks in each region, loosely arranged.
 //!
 //! The attributes asked are those measured on the drawn marks, not those that the sketch was generated from. A sketch whose
 //! measured attributes leave the [`RANGES`](ranges) is drawn again.
@@ -14,18 +14,18 @@ use dapple_engine::attributes::regions::RegionGrid;
 
 pub use ranges::within;
 
-/// The seed of the sketches that the project's own table is made of: the year of Phan & Grimm's paper.
+/// The seed of the sketches in the project's published table: the year of Phan & Grimm's paper.
 pub const SEED: u64 = 2006;
 
-/// One of this many sketches has stripes.
+/// One sketch out of this number has stripes.
 const STRIPES_EVERY: u64 = 4;
 /// The share of seamless tiles.
 const SEAMLESS: f64 = 0.1;
-/// The share of canvases of the usual size.
+/// The share of canvases with the usual size.
 const USUAL: f64 = 0.5;
 /// Sides of the other canvases, px.
 const SIDES: [f64; 2] = [384.0, 640.0];
-/// Sketches thrown away at most before one is kept; a few dozen are usual.
+/// The most sketches that are thrown away before one is kept; usually it is a few dozen.
 const TRIES: usize = 100_000;
 
 /// Sketch `index` for `seed`; it does not depend on other sketches.

@@ -1,20 +1,20 @@
-//! Many errors → three numbers.
+//! Summarises many errors by three numbers.
 
 /// Median, 95th percentile and maximum of |error|.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Summary {
-    /// How many errors.
+    /// The number of errors.
     pub count: usize,
-    /// Half are smaller.
+    /// Half of the absolute errors are smaller.
     pub median: f64,
-    /// One in twenty is larger.
+    /// One absolute error in twenty is larger.
     pub p95: f64,
-    /// None is larger.
+    /// The largest absolute error.
     pub max: f64,
 }
 
 impl Summary {
-    /// Of the sizes of `errors`; `None` of none.
+    /// The summary of `errors`; `None` where there are none.
     pub fn from_errors(errors: impl IntoIterator<Item = f64>) -> Option<Self> {
         let mut sizes: Vec<f64> = errors.into_iter().map(f64::abs).collect();
         sizes.sort_by(f64::total_cmp);

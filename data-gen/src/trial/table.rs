@@ -7,10 +7,10 @@ use super::grown::{Outcome, Region};
 use super::statistics::Summary;
 use super::verdict::KINDS;
 
-/// Worst regions named of each attribute.
+/// The number of worst regions that are named for each attribute.
 const WORST: usize = 10;
 
-/// Which documents a line is about.
+/// Selects the documents that a line is about.
 type Chosen = fn(&Outcome) -> bool;
 
 /// Groups of documents; the bounds hold for the last.
@@ -72,7 +72,7 @@ fn line(text: &mut String, attribute: &Attribute, group: &str, summary: Summary)
     held
 }
 
-/// Counts by kind, then each with its reason.
+/// Counts by kind of failure, then each failure with its reason.
 fn failures(text: &mut String, outcomes: &[Outcome]) -> bool {
     let count = |kind: &str| {
         outcomes.iter().filter(|outcome| outcome.failures.iter().any(|f| f.kind() == kind)).count()

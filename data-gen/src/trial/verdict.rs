@@ -1,4 +1,4 @@
-//! Checks that a texture has grown, everywhere, and of single marks.
+//! Checks that a texture has grown everywhere, and as separate marks.
 
 use std::fmt;
 
@@ -22,7 +22,7 @@ pub enum Failure {
     },
     /// Marks have merged.
     Merged {
-        /// Share of the area that is no ellipse; of a region of stripes, share that is stripe.
+        /// The share of the area that is not elliptical; for a region of stripes, the share that is stripe.
         share: f64,
     },
     /// Stripes have no common direction.
@@ -34,15 +34,15 @@ pub enum Failure {
     HalfEmpty {
         /// [column, row].
         region: [usize; 2],
-        /// Marks, or share of the region that is stripe.
+        /// Marks that were found, or the share of the region that is stripe.
         found: f64,
-        /// Marks, or share of the region that is stripe, that are expected.
+        /// Marks, or the share of the region that is stripe, that are expected.
         expected: f64,
     },
 }
 
 impl Failure {
-    /// One word for counting.
+    /// The kind of failure in one or two words, for counting.
     pub fn kind(&self) -> &'static str {
         match self {
             Self::NotGrown(_) => "not grown",
@@ -77,21 +77,21 @@ impl fmt::Display for Failure {
 
 /// The range of a pattern below which nothing has formed.
 const RANGE: f32 = 0.1;
-/// An ellipse fills 1 of the ellipse with its second moments, two grown together less.
+/// An ellipse fills all of the ellipse with its second moments (1); two that grew together fill less than this.
 const FILL: f64 = 0.93;
-/// Several grown together are larger than this many of those wanted there; only this detects a web that touches a closed edge all
-/// around.
+/// A mark whose area is more than this many times the asked one is several that grew together. Only this detects a net
+/// that touches a closed edge all around.
 const HUGE: f64 = 2.5;
-/// Share of the area that may be in marks that fill less.
+/// The largest allowed share of the area in marks that fill less than [`FILL`].
 const BENT: f64 = 0.05;
 /// A region with less than this share of its marks is half empty.
 const HALF: f64 = 0.5;
-/// Mean coherence of stripes; a labyrinth reaches 0.48, good ones 0.98.
+/// The least mean coherence of stripes. A labyrinth reaches 0.48, good stripes 0.98.
 const COHERENCE: f64 = 0.9;
 /// Points along each side of a region at which the map is read.
 const POINTS: usize = 8;
 
-/// What is wrong with any pattern.
+/// The failures that any pattern can have.
 pub fn of_any(pattern: &Field) -> Option<Failure> {
     if !pattern.values.iter().all(|value| value.is_finite()) {
         return Some(Failure::BlownUp);
@@ -101,7 +101,7 @@ pub fn of_any(pattern: &Field) -> Option<Failure> {
     (high - low < RANGE).then_some(Failure::Blank { range: high - low })
 }
 
-/// What is wrong with these spots.
+/// The failures of a pattern of spots.
 pub fn of_spots(spots: &[Spot], map: &AttributeMap) -> Vec<Failure> {
     let layout = map.layout();
     let mut failures = Vec::new();
@@ -130,7 +130,8 @@ pub fn of_spots(spots: &[Spot], map: &AttributeMap) -> Vec<Failure> {
     failures
 }
 
-/// How many spots fit into a region: ∫ dA ÷ (√¾ · spacing²), a hexagonal lattice's; 0 where the spacing is free.
+/// The number of spots that fit into a region: ∫ dA ÷ (√¾ · spacing²), that of a hexagonal lattice; 0 where the spacing
+/// is free.
 fn expected(map: &AttributeMap, index: usize) -> f64 {
     let layout = map.layout();
     let share = layout.size[0] * layout.size[1] / (layout.len() * POINTS * POINTS) as f64;
@@ -155,8 +156,8 @@ fn points(layout: &RegionGrid, index: usize) -> impl Iterator<Item = [f64; 2]> {
     (0..POINTS * POINTS).map(move |k| [at(0, k % POINTS), at(1, k / POINTS)])
 }
 
-/// What is wrong with these stripes, of which `duty` of the canvas was asked to be stripe; a region has at least
-/// [`HALF`] of that, and at most as much more.
+/// The failures of a pattern of stripes, of which `duty` of the canvas should be stripe. A region has at least [`HALF`]
+/// of that share, and at most as much more.
 pub fn of_stripes(pattern: &Field, layout: &RegionGrid, duty: f64) -> Vec<Failure> {
     let (mut inside, mut all) = (vec![0.0; layout.len()], vec![0.0; layout.len()]);
     for (px, value) in pattern.values.iter().enumerate() {

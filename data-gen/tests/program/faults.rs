@@ -82,7 +82,7 @@ fn a_sweep_that_is_killed_repeatedly_gives_the_same_bytes() {
         let mut sweep = Running::start(sweep.stderr(Stdio::null()));
         let is_part = |name: &String| name.ends_with(".part");
         let ending = done % 3 == 2;
-        // Every third while it writes what it swept.
+        // Every third kill comes while the sweep writes its files.
         while ending && !files(&killed).keys().any(is_part) && !sweep.ends_within(BETWEEN) {}
         let most = if ending { Duration::from_millis(8) } else { whole_time.mul_f64(0.7) };
         sweep.ends_within(most.mul_f64(random.random_range(0.0..1.0)));
@@ -105,7 +105,7 @@ fn a_sweep_that_is_killed_repeatedly_gives_the_same_bytes() {
     let (code, said) = message(&mut data_gen(bench.path(), "sweep --plan my.json -o killed"));
     assert_eq!(code, Some(0), "{said}");
     assert!(files(&killed) == whole);
-    // Past the test harness: it is what is reported.
+    // Written past the test harness, because it is the reported result.
     say(&format!(
         "sweep: {done} kills, {writing} while writing the files; {} sweeps came to the same bytes",
         sweeps + 1
@@ -134,7 +134,7 @@ fn a_closed_or_full_output_does_not_panic() {
     }
 }
 
-/// Mounts 1 MB of memory, or says past the test harness that it may not.
+/// Mounts a file system of 1 MB in memory, or reports past the test harness that this is not permitted.
 fn mounted(folder: &Path) -> bool {
     fs::create_dir(folder).unwrap();
     let mut mount = Command::new("mount");
@@ -158,7 +158,7 @@ fn a_sweep_on_a_full_disk_is_reported_and_continues_once_there_is_room() {
     while filler.write_all(&[7; 4096]).is_ok() {}
     let sweep = "sweep --plan my.json -o out --threads 2";
     let mut outcomes = Vec::new();
-    // No room at all; for the journal's first lines; for the journal, and not for the files.
+    // There is no room at all; room for the journal's first lines; room for the journal, but not for the files.
     for blocks in [0, 1, 2, 3] {
         let length = filler.metadata().unwrap().len();
         filler.set_len(length - 4096 * blocks.min(1)).unwrap();

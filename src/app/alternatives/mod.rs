@@ -62,24 +62,24 @@ impl Alternative {
 pub struct Alternatives {
     /// Whether they are shown.
     pub shown: bool,
-    /// In order: those that are kept, the sketch when they were made, the others.
+    /// The alternatives in the order in which they are shown: the kept ones, the original sketch, the others.
     pub all: Vec<Alternative>,
     training: Arc<Training>,
-    /// The one that is growing, and the task that grows one after the other.
+    /// The id of the alternative that is growing, and the task that grows one alternative after the other.
     series: Option<(Option<u64>, Task<News>)>,
-    /// Whether the user stopped growing them.
+    /// Whether the user stopped the growth of alternatives.
     stopped: bool,
-    /// The document they were last compared with.
+    /// The document with which the alternatives were last compared.
     followed: Option<Arc<Document>>,
-    /// The one that is open.
+    /// The id of the alternative that is open.
     taken: Option<u64>,
-    /// The revision of the session whose stars were taken over.
+    /// The revision of the session from which the stars were last read.
     stars_seen: Option<u64>,
     ids: u64,
 }
 
 impl Alternatives {
-    /// None; they will be grown with `training`.
+    /// No alternatives yet. They will be grown with `training`.
     #[must_use]
     pub fn new(training: Arc<Training>) -> Self {
         Self {
@@ -95,13 +95,14 @@ impl Alternatives {
         }
     }
 
-    /// Another document is open.
+    /// Removes all alternatives, because another document was opened.
     pub fn forget(&mut self) {
         *self = Self { shown: self.shown, ids: self.ids, ..Self::new(Arc::clone(&self.training)) };
     }
 
-    /// Follows the sketch and its growth; never waits. While the user draws (`busy`) nothing is begun. Returns an error
-    /// once where no thread can be started.
+    /// Makes new alternatives when the sketch has changed, and grows them once the sketch itself has grown; never
+    /// blocks. While the user draws (`busy`) no growth is started. Returns an error once where no thread can be
+    /// started.
     pub fn follow(
         &mut self,
         tasks: &Tasks,
@@ -119,7 +120,7 @@ impl Alternatives {
             return None;
         }
         let Some(texture) = &growth.texture else {
-            // The sketch itself is grown first.
+            // The sketch itself is grown before its alternatives.
             self.series = None;
             return None;
         };
@@ -159,7 +160,8 @@ impl Alternatives {
         }
     }
 
-    /// Finds the alternative that `texture` is; if there is none, makes new alternatives for it.
+    /// Finds the alternative that has the document of `texture`. If there is none, makes new alternatives for
+    /// `texture`.
     fn compare(&mut self, texture: &Texture, layer: usize) {
         let needed = essence(&texture.document);
         let one = self.all.iter().find(|one| essence(&one.document) == needed);
@@ -252,19 +254,19 @@ impl Alternatives {
         }
     }
 
-    /// Stops growing them, or resumes.
+    /// Stops growing the alternatives, or resumes.
     pub fn stop(&mut self, stopped: bool) {
         self.stopped = stopped;
         self.series = None;
     }
 
-    /// Whether some are being grown.
+    /// Whether an alternative is being grown.
     #[must_use]
     pub fn is_growing(&self) -> bool {
         self.series.is_some()
     }
 
-    /// Whether all have grown or have failed.
+    /// Whether every alternative has grown or has failed.
     #[must_use]
     pub fn is_complete(&self) -> bool {
         !self.all.iter().any(Alternative::is_wanted)
@@ -277,7 +279,7 @@ impl Alternatives {
         (*growing == Some(id)).then(|| task.progress() as f32)
     }
 
-    /// Whether it is the open document.
+    /// Whether the alternative with this id is the open document.
     #[must_use]
     pub fn is_taken(&self, id: u64) -> bool {
         self.taken == Some(id)
@@ -289,7 +291,8 @@ impl Alternatives {
         self.all.iter().find(|one| one.id == id)
     }
 
-    /// Takes over the stars of the document: those that were read with it, and those that an undo brought back or took away.
+    /// Marks as kept the alternatives that are starred in the document: those that were read with it, and those whose
+    /// star an undo restored or removed.
     fn take_stars(&mut self, starred: &[Starred]) {
         let is = |one: &Alternative, star: &Starred| one.name == star.name && one.document == star.document;
         for one in &mut self.all {
@@ -297,10 +300,10 @@ impl Alternatives {
         }
         for star in starred {
             if !self.all.iter().any(|one| is(one, star)) {
-                let help = "Kept with the document when its sketch was another".to_owned();
+                let help = "Saved with an earlier version of this sketch".to_owned();
                 let (name, document) = (star.name.clone(), star.document.clone());
                 self.add(Variant { name, help, document }, None);
-                // Those that are kept stand first.
+                // Kept alternatives come first.
                 if let Some(mut one) = self.all.pop() {
                     one.kept = true;
                     let place = self.all.iter().take_while(|other| other.kept).count();
@@ -316,7 +319,8 @@ fn without_stars(document: &Document) -> Document {
     Document { starred: Vec::new(), ..document.clone() }
 }
 
-/// Stars an alternative in the document, or removes its star, as one step that can be undone. Gives whether there was room.
+/// Stars an alternative in the document, or removes its star, as one step that can be undone. Returns whether there was
+/// room for it.
 pub fn star(session: &mut Session, one: &Alternative, kept: bool) -> bool {
     session.commit();
     let star = Starred { name: one.name.clone(), document: without_stars(&one.document) };
@@ -353,7 +357,7 @@ pub fn put(session: &mut Session, document: &Document) {
             for layer in layers.iter_mut().filter(|layer| !layer.is_blank()) {
                 if let Some(new) = new.next() {
                     let name = std::mem::take(&mut layer.name);
-                    // A name that was generated for the file is not taken over.
+                    // A name that was generated for the file is not copied.
                     *layer = if name.is_empty() { Layer { name, ..new } } else { new };
                 }
             }

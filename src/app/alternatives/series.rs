@@ -1,4 +1,4 @@
-//! Grows one alternative after the other on a thread of its own, while the sketch is not growing.
+//! Grows one alternative after the other on a separate thread, while the sketch is not growing.
 
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use crate::machine::{free_memory, threads};
 use crate::synth::render::painting::Painting;
 use crate::synth::{GrowError, Grown, Growth, Options, Stage, Training, Watch};
 
-/// The longest side of a small picture, px: twice the points it has on the screen.
+/// The longest side of a small picture, px: two px for each point on the screen.
 const LONGEST: u32 = 184;
 
 /// An alternative to grow.
@@ -20,7 +20,8 @@ pub(super) struct Job {
     pub id: u64,
     /// Its document.
     pub document: Document,
-    /// A grown texture of this document, which is only painted, or of another one, whose layers are reused.
+    /// A texture that has already grown: of this document, so that it is only painted, or of another one, whose layers
+    /// are reused.
     pub known: Option<Arc<Grown>>,
     /// Whether `known` was grown from this document, except for its colours.
     pub grown: bool,
@@ -54,11 +55,11 @@ struct Growing<'a> {
 
 impl Growing<'_> {
     fn run(&self, jobs: &[Job]) {
-        // Half of the cores: the window has the others.
+        // Half of the cores, so that the window has the others.
         let pool = threads::pool((threads::cores() / 2).max(1));
         for job in jobs {
             self.worker.send(News::Begun(job.id));
-            // A panic in one does not stop the others.
+            // A panic in the growth of one alternative does not stop the others.
             let work = || panic::catch_unwind(AssertUnwindSafe(|| self.work(job)));
             let worked = match &pool {
                 Ok(pool) => pool.install(work),
@@ -68,7 +69,9 @@ impl Growing<'_> {
                 Ok(Ok(grown)) => Ok(grown),
                 Ok(Err(GrowError::Cancelled(_))) => return,
                 Ok(Err(error)) => Err(error.to_string()),
-                Err(_) => Err("growing an error in dapple; please report the document".to_owned()),
+                Err(_) => {
+                    Err("growing failed because of an error in dapple; please report the document".to_owned())
+                }
             };
             self.worker.send(News::Done { id: job.id, outcome });
         }

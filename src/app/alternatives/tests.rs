@@ -83,7 +83,7 @@ fn marks_that_vary_have_an_alternative_without_variation() {
     assert_eq!(of("Uniform"), SpreadChoice::Given(Spread::ZERO));
     let SpreadChoice::Given(looser) = of("Varied") else { panic!() };
     assert!(looser.area > 0.3 && looser.angle > 0.0);
-    // All of them can be read again.
+    // All alternatives can be read again.
     for one in &all {
         Document::parse(&one.document.to_json(), &one.name).unwrap();
     }

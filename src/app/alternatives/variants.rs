@@ -9,12 +9,12 @@ use crate::synth::drawn::sketch_targets;
 
 /// How many other seeds are offered.
 const SEEDS: u64 = 4;
-/// Factor of a looser spread, to the drawn one.
+/// The spread of the *Varied* alternative ÷ the drawn spread.
 const LOOSER: f64 = 1.6;
-/// The smallest looser spread.
+/// The least spread of the *Varied* alternative.
 const LOOSE: Spread = Spread { area: 0.2, angle: 10.0, aspect: 0.06, spacing: 0.14 };
 
-/// A document, and what differs in it.
+/// A document, and how it differs from the sketch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Variant {
     /// The difference, in a few words.
@@ -31,7 +31,8 @@ impl Variant {
     }
 }
 
-/// Documents with the strokes of `document`, which has `grown`, different on `layer` and those above it.
+/// The variants of `document`, from which `grown` has grown: the same strokes, with other settings on `layer` and the
+/// layers above it.
 #[must_use]
 pub fn variants(document: &Document, grown: &Grown, layer: usize) -> Vec<Variant> {
     let mut all = Vec::new();
@@ -46,7 +47,7 @@ fn seeded(document: &Document, step: u64) -> Variant {
     let seed = document.seed.wrapping_add(step);
     let mut other = Document { seed, ..document.clone() };
     for layer in &mut other.layers {
-        // A seed of its own does not follow the document's.
+        // A layer with its own seed does not follow the seed of the document, so its seed is changed as well.
         layer.seed = layer.seed.map(|seed| seed.wrapping_add(step));
     }
     Variant::new(
@@ -58,7 +59,8 @@ fn seeded(document: &Document, step: u64) -> Variant {
 
 fn is_spotted(document: &Document, layer: usize) -> bool {
     match document.layers[layer].strokes.first() {
-        // Cells and fields of points have no spread, that of patches is left as it is, and a picture says that of what it drives.
+        // Cells and fields of points have no spread. The spread of patches is not varied, nor that of a layer whose
+        // picture sets it.
         _ if document.is_of_points(layer) || document.layers[layer].is_driven() => false,
         Some(Stroke::Ellipse(_) | Stroke::Outline(_) | Stroke::Fitted { .. }) => true,
         Some(Stroke::Line(_) | Stroke::Path(_)) | None => false,
@@ -84,7 +86,7 @@ fn other_system(document: &Document, grown: &Grown, layer: usize) -> Option<Vari
     fits.then(|| Variant::new(name, help, other))
 }
 
-/// Spots that differ less from each other, and spots that differ more.
+/// A variant whose spots differ less from each other, and one whose spots differ more.
 fn spreads(document: &Document, layer: usize) -> Vec<Variant> {
     let Some(of) = document.layers.get(layer).filter(|_| is_spotted(document, layer)) else {
         return Vec::new();

@@ -86,7 +86,8 @@ impl Analysis {
     }
 }
 
-/// The map of a layer with the period that its options give to stripes, and without one where lines do not say it.
+/// The map of a layer with the stripe period from its options; without a period where the drawn lines do not determine
+/// one.
 fn with_period(map: RegionMap, document: &Document, layer: usize) -> RegionMap {
     match document.layers[layer].options.duty.given() {
         _ if !is_one_field(document, layer) => map.with_free_wavelength(),
@@ -95,8 +96,8 @@ fn with_period(map: RegionMap, document: &Document, layer: usize) -> RegionMap {
     }
 }
 
-/// The Delaunay edges between ellipses: those with more than half of the full weight in the spacing of a region in full
-/// colour, the others pale.
+/// The Delaunay edges between ellipses. Edges that count for more than half of the full weight in the spacing of a
+/// region have the full colour, the others are pale.
 fn neighbours(ink: &Ink, map: &RegionMap, marks: &[Mark], colours: &Palette) {
     let centers: Vec<[f64; 2]> = marks.iter().filter_map(|mark| Some(mark.ellipse()?.center)).collect();
     let segment = |ends: [usize; 2], stroke| ink.segment(ends.map(|end| centers[end]), stroke);

@@ -1,4 +1,4 @@
-//! Signs at the places of the sketch that will not grow, or did not grow, as they were drawn, and what they say.
+//! Signs on the sketch, at places that will not grow or did not grow as they were drawn, and their texts.
 
 use egui::{Align2, FontId, Pos2};
 
@@ -29,8 +29,8 @@ pub struct Badge {
     pub has_grown: bool,
 }
 
-/// The signs of the notes on the sketch, of what the lines of the active layer ask for, of the marks that grew otherwise than
-/// drawn, and of spots that grew together.
+/// The signs for: the notes on the sketch, the notes on the lines of the active layer, marks that grew otherwise than
+/// drawn, and spots that grew together.
 #[must_use]
 pub fn badges(
     notes: &[SketchNote],
@@ -79,20 +79,20 @@ fn grown(session: &Session, drawn: &Drawn, layer: usize) -> Vec<Badge> {
     badges
 }
 
-/// What is told where two spots grew together.
-pub const MERGED: &str =
-    "Two spots grew together here. Draw the marks around farther apart or smaller, or try another seed (N).";
+/// The text of the sign where two spots grew together.
+pub const MERGED: &str = "Two spots grew together here. Draw the marks around this place farther apart or \
+                          smaller, or try another seed (N).";
 
 /// What to do about a mark that does not grow.
 #[must_use]
 pub fn remedy(kind: Option<Kind>) -> &'static str {
     match kind {
-        Some(Kind::Line) => "Move it away from the others, or turn it as they run.",
+        Some(Kind::Line) => "Move it away from the other lines, or turn it parallel to them.",
         _ => "Move it to a free place, or make it smaller.",
     }
 }
 
-/// What the sign at a position on the screen says.
+/// The text of the sign at a position on the screen.
 #[must_use]
 pub fn told<'a>(
     badges: impl IntoIterator<Item = &'a Badge>,

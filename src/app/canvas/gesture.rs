@@ -1,4 +1,4 @@
-//! A gesture: what the pointer does on the canvas, from press to release.
+//! A gesture: what the pointer does on the canvas between a press and its release.
 
 use egui::Pos2;
 
@@ -12,7 +12,7 @@ use crate::editor::snap::Snap;
 use crate::marks::{Ellipse, Line, Mark};
 use crate::sketch::recognise;
 
-/// The pointer takes a mark within this distance, points.
+/// The pointer picks a mark within this distance, points.
 pub const REACH: f64 = 6.0;
 /// A drag shorter than this is a click, points.
 const CLICK: f64 = 3.0;
@@ -36,7 +36,7 @@ pub enum Gesture {
         marks: Vec<(Place, Mark)>,
         /// The mark that was pressed.
         on: Place,
-        /// Whether the pointer has moved farther than a click may.
+        /// Whether the pointer has moved too far for a click.
         moved: bool,
         /// Whether copies are moved.
         copied: bool,
@@ -45,7 +45,8 @@ pub enum Gesture {
     Pull(Handle, [f64; 2], Vec<(Place, Mark)>),
     /// Erasing: the last point.
     Erase([f64; 2]),
-    /// Moving or scaling the reference picture: its part, where it was pressed, where it lay before.
+    /// Moving or scaling the reference picture: the part that is dragged, where it was pressed, and the placement
+    /// before the drag.
     Reference(Part, [f64; 2], Placement),
     /// Moving the view: the last position on the screen.
     Pan(Pos2),
@@ -152,7 +153,7 @@ impl Gesture {
         match self {
             Self::Pan(_) | Self::Reference(..) => {}
             Self::Pen(points) => {
-                // Finer than half a point on the screen is noise.
+                // A distance of less than half a point on the screen is noise.
                 let far = points
                     .last()
                     .is_none_or(|last| (last[0] - hand.at[0]).hypot(last[1] - hand.at[1]) * hand.zoom > 0.5);
@@ -198,7 +199,7 @@ impl Gesture {
         }
     }
 
-    /// Ends the gesture: the pointer is released. Gives what was drawn.
+    /// Ends the gesture: the pointer is released. Returns the mark that was drawn.
     pub fn release(self, session: &mut Session, nib: &mut Nib, hand: Hand) -> Option<DrawnStroke> {
         let far = |[from, to]: [[f64; 2]; 2]| (to[0] - from[0]).hypot(to[1] - from[1]) * hand.zoom > CLICK;
         match self {
@@ -227,7 +228,7 @@ impl Gesture {
                     session.active_layer = first;
                 }
             }
-            // A copy that lies on its original is of no use.
+            // A copy that lies exactly on its original is useless.
             Self::Move { moved: false, copied: true, .. } => session.revert(),
             Self::Move { on, moved: false, .. } if !hand.shift => {
                 session.selection = Selection::new([on]);
@@ -248,7 +249,7 @@ impl Gesture {
     }
 }
 
-/// The move `by` px, changed so that the centre of the mark that was pressed comes to lie on the grid.
+/// The move `by` px, changed so that the centre of the pressed mark lies on the grid.
 fn snapped_move(marks: &[(Place, Mark)], on: Place, by: [f64; 2], snap: Snap) -> [f64; 2] {
     let pressed = marks.iter().find(|(place, _)| *place == on).or(marks.first());
     let Some((_, mark)) = pressed.filter(|_| snap.on) else { return by };

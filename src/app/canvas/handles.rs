@@ -8,7 +8,7 @@ use crate::editor::session::Session;
 use crate::editor::shape;
 use crate::marks::{Ellipse, Line, Mark, Path};
 
-/// The pointer takes a handle within this distance, points: half the width of a fingertip.
+/// The pointer picks a handle within this distance, points: half the width of a fingertip.
 const REACH: f32 = 9.0;
 /// Distance of the handle for turning from the mark, points.
 const OFF: f32 = 22.0;
@@ -109,7 +109,7 @@ pub fn at(handles: &[(Handle, Pos2)], pointer: Pos2) -> Option<Handle> {
         .map(|(handle, _)| handle)
 }
 
-/// The point of a mark that a handle moves; `None` of handles that move none.
+/// The point of a mark that a handle moves; `None` for handles that do not move a point.
 #[must_use]
 pub fn end_of(handle: Handle, marks: &[(Place, Mark)]) -> Option<[f64; 2]> {
     match (handle, marks) {
@@ -131,8 +131,8 @@ pub fn cursor(handle: Handle) -> CursorIcon {
     }
 }
 
-/// `marks` after `handle` was dragged from `from` to `to`, px. `even` (Shift) keeps proportions, or turns in steps of
-/// 15°.
+/// `marks` after `handle` was dragged from `from` to `to`, px. `even` (Shift) keeps the proportions, or turns in steps
+/// of 15°.
 #[must_use]
 pub fn pulled(
     handle: Handle,
@@ -149,7 +149,7 @@ pub fn pulled(
         Handle::Point(index) => each(&|mark| path_point(mark, index, [from, to])),
         Handle::Width => each(&|mark| width(mark, [from, to])),
         Handle::Corner(side) => {
-            // The opposite corner stays.
+            // The opposite corner keeps its place.
             let side = [f64::from(side.x), f64::from(side.y)];
             let center = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
             let half = [0, 1].map(|axis| 0.5 * (high[axis] - low[axis]));

@@ -57,7 +57,7 @@ impl Ink<'_> {
         let points: Vec<Pos2> = corners.iter().map(|corner| self.at(*corner)).collect();
         let mut inside = Mesh::default();
         let bounds = Rect::from_points(&points).intersect(self.room);
-        // Row by row of points of the screen: what lies between an odd crossing and the next.
+        // Fills row by row of screen points: each section from an odd crossing with the outline to the next crossing.
         for row in bounds.top().floor() as i64..bounds.bottom().ceil() as i64 {
             let y = row as f32 + 0.5;
             let sides = points.iter().zip(points.iter().cycle().skip(1));
@@ -95,7 +95,7 @@ impl Ink<'_> {
         (0..STEPS).map(|step| self.at(point(step))).collect()
     }
 
-    /// A path as wide as it is, with an outline.
+    /// A path, drawn as wide as it is, with an outline.
     fn wide_path(&self, path: &Path, fill: Color32, outline: Stroke) {
         let width = (path.width as f32 * self.view.zoom).max(1.5);
         self.path(&path.points, Stroke::new(width, fill));
@@ -107,7 +107,8 @@ impl Ink<'_> {
         });
     }
 
-    /// Both sides of a path at this distance, points of the screen: one there, the other back.
+    /// The two sides of a path at the distance `half`, points of the screen, as one line: forth along one side, back
+    /// along the other.
     fn sides(&self, path: &Path, half: f32) -> Vec<Pos2> {
         let points: Vec<Pos2> = path.points.iter().map(|point| self.at(*point)).collect();
         let normal = |index: usize| {
@@ -121,7 +122,7 @@ impl Ink<'_> {
 
     /// The outline of a line with round ends.
     fn rounded(&self, line: &Line) -> Vec<Pos2> {
-        /// Steps of each end's half circle.
+        /// Steps of the half circle at each end.
         const STEPS: usize = 8;
         let [from, to] = [line.from, line.to].map(|end| self.at(end));
         let half = (0.5 * line.width as f32 * self.view.zoom).max(0.75);

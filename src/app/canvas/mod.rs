@@ -53,7 +53,7 @@ pub struct Overlays {
     pub regions: bool,
     /// Fitted ellipses, neighbours, directions.
     pub analysis: bool,
-    /// Sizes and directions that free marks want between them.
+    /// The sizes and directions that the free marks ask for in the space between them.
     pub wanted: bool,
 }
 
@@ -71,7 +71,7 @@ pub struct Canvas {
     pub pointer: Option<[f64; 2]>,
     /// The analysed sketch.
     pub analysis: Analysis,
-    /// What the free marks of the active layer want between them.
+    /// What the free marks of the active layer ask for in the space between them.
     pub wanted: LiveWanted,
     /// The mark under the pointer.
     pub hovered: Option<Place>,
@@ -85,9 +85,9 @@ pub struct Canvas {
     pub reference: Reference,
     /// The texture of frozen layers under it.
     pub underlay: Underlay,
-    /// The id of its widget, once it was shown.
+    /// The id of the canvas widget, once it was shown.
     pub id: Option<Id>,
-    /// Whether it got the keyboard focus by a click; then the focus is not highlighted.
+    /// Whether the canvas got the keyboard focus by a click; then the focus is not highlighted.
     by_pointer: bool,
     gesture: Option<Gesture>,
     /// How pens are used.
@@ -98,15 +98,15 @@ pub struct Canvas {
     button: PointerButton,
     /// Where the pointer was pressed, on the screen.
     pressed_at: Pos2,
-    /// Where the menu of the canvas was asked for: on the screen, and px.
+    /// Where the menu of the canvas was requested: the place on the screen, and px of the canvas.
     pub menu_asked: Option<(Pos2, [f64; 2])>,
     /// The part of the screen that shows the canvas.
     room: Rect,
-    /// What is to be told of the stroke that was drawn last.
+    /// A message about the stroke that was drawn last.
     pub remark: Option<String>,
-    /// A mark that does not belong on the active layer: whether it gets a new one is to be asked.
+    /// A mark of a kind that the active layer does not hold: the user is to be asked whether it gets a new layer.
     pub question: Option<DrawnStroke>,
-    /// Signs at what does not grow as it was drawn.
+    /// Signs at places that do not grow as they were drawn.
     pub badges: Vec<Badge>,
     /// Strokes that were recognised, and when, seconds.
     fading: Vec<(Vec<[f64; 2]>, f64)>,
@@ -166,7 +166,7 @@ impl Canvas {
         }
     }
 
-    /// Cancels the gesture and undoes what it changed. Gives whether there was one.
+    /// Cancels the gesture and undoes its changes. Returns whether there was a gesture.
     pub fn cancel(&mut self, session: &mut Session) -> bool {
         self.pressure = Pressure::default();
         let Some(gesture) = self.gesture.take() else { return false };
@@ -177,13 +177,13 @@ impl Canvas {
         true
     }
 
-    /// Asks for the menu of the canvas at a point, px.
+    /// Requests the menu of the canvas at a point, px.
     pub fn ask_menu(&mut self, at: [f64; 2]) {
         let on_screen = self.view.to_screen(self.room, at);
         self.menu_asked = Some((on_screen.clamp(self.room.min, self.room.max), at));
     }
 
-    /// Shows the canvas in `room`; gestures change the document. `drawn`: what became of its marks.
+    /// Shows the canvas in `room`; gestures change the document. `drawn`: what has grown of each of its marks.
     pub fn ui(&mut self, ui: &mut Ui, room: Rect, session: &mut Session, drawn: &Drawn) -> Response {
         let revision = session.revision();
         self.room = room;
@@ -231,7 +231,7 @@ impl Canvas {
         }
     }
 
-    /// The mark at a point, px; among several first one that does not grow.
+    /// The mark at a point, px. Of several marks there, one that does not grow comes first.
     fn mark_at(&self, session: &Session, drawn: &Drawn, at: [f64; 2]) -> Option<Place> {
         let reach = HOVER / f64::from(self.view.zoom);
         let is_lost = |place: &Place| drawn.lost(session, *place).is_some();

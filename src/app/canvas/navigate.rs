@@ -4,7 +4,7 @@ use egui::{Rect, Response, Ui, Vec2};
 
 use super::view::View;
 
-/// Moves `view`, which is shown in `room`, by the wheel, by two fingers, and by dragging where it is `grabbed`. Gives
+/// Moves `view`, which is shown in `room`, by the wheel, by two fingers, and by dragging while it is `grabbed`. Returns
 /// whether it moved.
 pub fn navigate(ui: &Ui, response: &Response, room: Rect, view: &mut View, grabbed: bool) -> bool {
     let before = *view;
@@ -20,7 +20,7 @@ pub fn navigate(ui: &Ui, response: &Response, room: Rect, view: &mut View, grabb
             view.pan(scroll);
         }
         if zoom != 1.0 {
-            // Fingers zoom at the point between them.
+            // Two fingers zoom about the point between them.
             let at = touch.map(|touch| touch.center_pos).or(at);
             view.zoom_at(room, at.unwrap_or(room.center()), zoom);
         }

@@ -72,7 +72,8 @@ impl Canvas {
         }
     }
 
-    /// Paints what is selected and what is being drawn once more, over the part `seen` of the canvas that something covers.
+    /// Paints the selection and the stroke that is being drawn once more, where something covers the part `seen` of the
+    /// canvas.
     pub fn paint_over(&self, ui: &Ui, room: Rect, seen: Rect, session: &Session) {
         let colours = Palette::current(ui.visuals());
         let painter = ui.painter_at(seen);
@@ -182,7 +183,7 @@ impl Canvas {
     }
 }
 
-/// A stroke that fades, and since when.
+/// A fading stroke, and the time when it began to fade, seconds.
 type Fading = (Vec<[f64; 2]>, f64);
 
 /// Paints the strokes that were recognised while they fade, and asks for the next frame `between_frames` later.

@@ -11,7 +11,7 @@ use crate::editor::pens::Pressure;
 use crate::editor::selection::Selection;
 use crate::editor::session::Session;
 
-/// What is told where a frozen layer is drawn on.
+/// The message when the user draws on a frozen layer.
 pub const FROZEN: &str = "This layer is frozen. Click its snowflake to unfreeze it, or select another layer.";
 /// A press that moves less than this is a click, points.
 const CLICK: f32 = 3.0;
@@ -63,7 +63,7 @@ impl Canvas {
             }
         }
         self.rest(ui, room, session, modifiers);
-        // A release outside of the window may be unknown.
+        // A release outside the window may not be reported.
         let (is_down, at) =
             ui.input(|input| (input.pointer.button_down(self.button), input.pointer.latest_pos()));
         if let Some(at) = at.filter(|_| !is_down) {
@@ -71,7 +71,7 @@ impl Canvas {
         }
     }
 
-    /// A finger that rests asks for the menu, as the secondary button of a mouse does.
+    /// A finger that does not move opens the menu, like the secondary button of a mouse.
     fn rest(&mut self, ui: &Ui, room: Rect, session: &mut Session, modifiers: Modifiers) {
         let (is_finger, at, since) = ui.input(|input| {
             let since = input.pointer.press_start_time().map(|start| input.time - start);
@@ -88,7 +88,7 @@ impl Canvas {
         }
     }
 
-    /// The pointer and the keys, on the canvas.
+    /// The position of the pointer on the canvas, with the keys that are held.
     fn hand(&self, room: Rect, at: Pos2, modifiers: Modifiers) -> Hand {
         let zoom = f64::from(self.view.zoom);
         Hand {
@@ -100,7 +100,7 @@ impl Canvas {
         }
     }
 
-    /// The size of new marks, as the pressure changes it.
+    /// The size of new marks, changed by the pressure of a pen.
     pub(super) fn pressed_nib(&self) -> Nib {
         let factor = if self.pens.pressure { self.pressure.factor() } else { 1.0 };
         Nib { width: factor * self.nib.width, radii: self.nib.radii.map(|radius| factor * radius) }
@@ -157,7 +157,7 @@ impl Canvas {
         session.commit();
     }
 
-    /// Chooses the region at a point, px, or no region where it was the chosen one.
+    /// Selects the region at a point, px; clears the selection where that region was selected.
     fn choose_region(&mut self, session: &Session, at: [f64; 2]) {
         let (size, grid) = (session.document().size.map(f64::from), session.document().region_grid());
         let is_on = (0..2).all(|axis| (0.0..=size[axis]).contains(&at[axis]));
@@ -168,7 +168,8 @@ impl Canvas {
         self.chosen_region = chosen.filter(|_| self.chosen_region != chosen);
     }
 
-    /// Adds a mark that was drawn. Asks first where it does not belong on the active layer, and tells of a new layer.
+    /// Adds a mark that was drawn. Asks first where the mark does not belong on the active layer, and reports a new
+    /// layer.
     fn add(&mut self, session: &mut Session, drawn: DrawnStroke) {
         let kind = Kind::from(&drawn.mark);
         if session.is_active_frozen() {
@@ -186,7 +187,7 @@ impl Canvas {
         }
     }
 
-    /// Asks for the menu at the pointer; a mark there that is not selected becomes selected.
+    /// Requests the menu at the pointer; a mark there that is not selected becomes selected.
     fn ask_menu_at(&mut self, session: &mut Session, hand: Hand) {
         match session.hit(hand.at, gesture::REACH / hand.zoom) {
             Some(place) if !session.selection.contains(place) => {
@@ -199,7 +200,7 @@ impl Canvas {
         self.ask_menu(hand.at);
     }
 
-    /// Sets the form of the pointer.
+    /// Sets the shape of the pointer.
     pub(super) fn cursor(&self, ui: &Ui, response: &Response, room: Rect, session: &Session) {
         let Some(at) = response.hover_pos() else { return };
         let space = ui.input(|input| input.key_down(Key::Space));
@@ -238,7 +239,7 @@ fn pointer_events(events: &[Event]) -> Vec<Event> {
 
 /// Whether the canvas is the topmost control at a position, and no other one is being dragged.
 ///
-/// egui knows one press a frame, and none that was released in the same frame.
+/// egui reports at most one press in a frame, and none that was released in the same frame.
 fn is_on_canvas(ui: &Ui, canvas: &Response, at: Pos2) -> bool {
     let ctx = ui.ctx();
     let is_other_dragged = ctx.dragged_id().is_some_and(|id| id != canvas.id);

@@ -10,7 +10,7 @@ use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::machine::fs::File;
 use crate::photo;
 
-/// The longest side that is kept, px: enough to draw over.
+/// The longest side that is kept, px: enough for a picture to draw over.
 const LONGEST: u32 = 2048;
 /// The smallest side that it can be scaled to, px of the canvas, and the largest, as a multiple of the longer canvas side.
 const SMALLEST: f64 = 8.0;
@@ -43,7 +43,7 @@ pub struct Reference {
     pub opacity: f32,
     /// Whether it is shown.
     pub shown: bool,
-    /// Whether the pointer leaves it where it is.
+    /// Whether it is locked, so that the pointer cannot move it.
     pub locked: bool,
     /// Where it lies; `None` = at the centre of the canvas, as large as it fits.
     placement: Option<Placement>,
@@ -77,7 +77,7 @@ impl Reference {
         self.loading.is_some()
     }
 
-    /// Loads a picture beside the window; it replaces the one before.
+    /// Loads a picture on another thread; it replaces the present one.
     ///
     /// # Errors
     /// Where no thread can be started.
@@ -89,7 +89,7 @@ impl Reference {
         Ok(())
     }
 
-    /// Takes a picture that was pasted, reduced beside the window.
+    /// Takes a picture that was pasted. It is reduced on another thread.
     ///
     /// # Errors
     /// Where no thread can be started.
@@ -124,7 +124,7 @@ impl Reference {
         Ok(())
     }
 
-    /// Removes it.
+    /// Removes the reference picture.
     pub fn clear(&mut self) {
         (self.picture, self.loading) = (None, None);
     }
@@ -140,7 +140,7 @@ impl Reference {
         }))
     }
 
-    /// Puts it elsewhere on a canvas of `size` px; its centre stays on the canvas.
+    /// Moves the picture on a canvas of `size` px; its centre stays on the canvas.
     pub fn place(&mut self, placement: Placement, size: [u32; 2]) {
         let Some((picture, _)) = &self.picture else { return };
         let longer = picture.size[0].max(picture.size[1]).max(1) as f64;
@@ -150,12 +150,12 @@ impl Reference {
         self.placement = Some(Placement { center, scale });
     }
 
-    /// Puts it back to the centre of the canvas, as large as it fits.
+    /// Moves the picture to the centre of the canvas, as large as it fits.
     pub fn fit(&mut self) {
         self.placement = None;
     }
 
-    /// `before`, after `part` was dragged from `from` to `to`, px of the canvas.
+    /// The placement `before`, changed by dragging `part` from `from` to `to`, px of the canvas.
     #[must_use]
     pub fn dragged(&self, before: Placement, part: Part, [from, to]: [[f64; 2]; 2]) -> Placement {
         match part {
@@ -178,7 +178,8 @@ impl Reference {
         }
     }
 
-    /// Its place on the screen, where the canvas is shown by `view` in `room`; `None` where it is not shown.
+    /// The place of the picture on the screen, where the canvas is shown by `view` in `room`; `None` where the picture
+    /// is not shown.
     #[must_use]
     pub fn rect(&self, view: View, room: Rect, size: [u32; 2]) -> Option<Rect> {
         let (picture, _) = self.picture.as_ref().filter(|_| self.shown)?;
@@ -188,7 +189,8 @@ impl Reference {
         Some(Rect::from_min_max(corner(-1.0), corner(1.0)))
     }
 
-    /// Its colour at a point of the canvas, px; `None` where it is not shown or fully transparent.
+    /// The colour of the picture at a point of the canvas, px; `None` where the picture is not shown or is fully
+    /// transparent.
     #[must_use]
     pub fn colour_at(&self, at: [f64; 2], size: [u32; 2]) -> Option<[u8; 3]> {
         let (picture, _) = self.picture.as_ref().filter(|_| self.shown)?;
@@ -214,14 +216,14 @@ fn read(path: &Path) -> Result<ColorImage, String> {
     let wrong =
         |error: &dyn std::fmt::Display| format!("{}: cannot be read as a picture: {error}", path.display());
     let mut file = File::open(path).map(std::io::BufReader::new).map_err(|error| wrong(&error))?;
-    // Turned as its EXIF data say, as a photograph that becomes a sketch.
+    // Turned as its EXIF data say, like a photograph that becomes a sketch.
     let picture = photo::decode(&mut file).map_err(|error| wrong(&error))?.image;
     let picture = picture.thumbnail(LONGEST.min(picture.width()), LONGEST.min(picture.height())).into_rgba8();
     let size = [picture.width() as usize, picture.height() as usize];
     Ok(ColorImage::from_rgba_unmultiplied(size, picture.as_raw()))
 }
 
-/// A pasted picture, smaller where it is larger than what is kept.
+/// A pasted picture, reduced where it is larger than the largest picture that is kept.
 fn pasted(picture: &ColorImage) -> Result<ColorImage, String> {
     let longest = picture.size[0].max(picture.size[1]);
     if longest == 0 {

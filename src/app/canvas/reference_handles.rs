@@ -9,7 +9,7 @@ use super::tool::Tool;
 use crate::app::theme::Palette;
 use crate::editor::session::Session;
 
-/// The pointer takes a corner within this distance, points.
+/// The pointer picks a corner within this distance, points.
 const REACH: f32 = 10.0;
 
 impl Canvas {
@@ -19,7 +19,8 @@ impl Canvas {
         self.reference.rect(self.view, room, session.document().size).filter(|_| can_move)
     }
 
-    /// The part of the picture at a position on the screen, where it can be moved. A mark there comes before all of it.
+    /// The part of the picture at a position on the screen, where the picture can be moved. A mark at that position
+    /// takes precedence over the inside of the picture.
     pub(super) fn reference_part(&self, room: Rect, session: &Session, at: Pos2, reach: f64) -> Option<Part> {
         let rect = self.movable_reference(room, session)?;
         if let Some((sides, _)) = corners(rect).into_iter().find(|(_, corner)| corner.distance(at) <= REACH) {
@@ -41,7 +42,7 @@ impl Canvas {
     }
 }
 
-/// The corners of the picture: whether right, whether below, and where.
+/// The corners of the picture: whether each is on the right, whether it is at the bottom, and its position.
 fn corners(rect: Rect) -> [([bool; 2], Pos2); 4] {
     [
         ([false, false], rect.left_top()),

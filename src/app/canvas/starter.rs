@@ -1,4 +1,4 @@
-//! What an empty canvas shows: faint marks to trace; and the marks that a new sketch can begin with.
+//! What an empty canvas shows: faint marks to trace. Also the marks that a new sketch can begin with.
 
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Align, FontId, Stroke, pos2};
@@ -7,7 +7,7 @@ use super::ink::Ink;
 use crate::app::theme::Palette;
 use crate::marks::{Ellipse, Line, Mark};
 
-/// What an empty canvas says first.
+/// The first line of text on an empty canvas.
 const TITLE: &str = "Draw a few spots here, each with one stroke";
 
 /// The unit of lengths of the first marks, px.
@@ -49,7 +49,7 @@ pub fn paint(ink: &Ink, size: [u32; 2], colours: &Palette, text: egui::Color32) 
     let more = "\nAn open stroke grows stripes. Everything can be undone.";
     job.append(more, 0.0, format(12.5, text));
     let galley = ink.painter.layout_job(job);
-    // Above the marks to trace; where there is too little room for both lines, the first alone.
+    // Above the faint marks; where there is no room for both lines, only the first one.
     let traces = ink.at([0.5 * f64::from(size[0]), f64::from(size[1]) * 0.5 - 1.35 * unit(size)]).y - 10.0;
     let room = traces - seen.top();
     let galley = if galley.size().y + 8.0 <= room {

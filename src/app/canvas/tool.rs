@@ -42,8 +42,8 @@ impl Tool {
     pub fn help(self) -> &'static str {
         match self {
             Self::Select => {
-                "Click a mark or drag a box around some; Shift adds. Drag to move, the handles resize and turn. \
-                 Alt-drag or Ctrl-drag makes a copy."
+                "Click a mark, or drag a box around several; Shift adds to the selection. Drag to move; drag \
+                 the handles to resize and turn. Alt-drag or Ctrl-drag makes a copy."
             }
             Self::Pen => "Draw with the pointer: a closed stroke becomes an ellipse, an open one a line.",
             Self::Ellipse => {

@@ -4,17 +4,17 @@ use egui::{Pos2, Rect, Vec2, pos2, vec2};
 
 /// Smallest and largest zoom, points per px.
 const ZOOM: [f32; 2] = [0.02, 64.0];
-/// Share of the room that a fitted canvas takes.
+/// The share of the available space that a fitted canvas takes.
 const FIT: f32 = 0.92;
 
 /// Which part of the canvas is shown, and how large.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// The point of the canvas in the centre of the room, px.
+    /// The point of the canvas that is shown in the centre, px.
     pub center: [f64; 2],
     /// Points of the screen per px of the canvas.
     pub zoom: f32,
-    /// Whether the whole canvas is kept visible.
+    /// Whether the view is fitted, so that the whole canvas stays visible.
     pub fitted: bool,
 }
 

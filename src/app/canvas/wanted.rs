@@ -1,5 +1,5 @@
-//! What the free marks of the active layer want between them: sizes, shapes and directions at a grid of places, shown
-//! over the sketch while one draws. Computed beside the window.
+//! What the free marks of the active layer ask for in the space between them: sizes, shapes and directions on a grid of
+//! places, shown over the sketch while the user draws. They are computed on another thread.
 
 use std::sync::Arc;
 
@@ -15,34 +15,34 @@ use crate::editor::shape;
 use crate::editor::task::{Task, Tasks, Worker};
 use crate::marks::{Ellipse, Line, Mark};
 
-/// The most places along the longer side of the canvas, and the fewest.
+/// Limits of the number of places along the longer side of the canvas: the fewest and the most.
 const ALONG: [f64; 2] = [2.0, 24.0];
-/// Area ÷ spacing² of spots whose spacing is free.
+/// Area ÷ spacing² that is assumed for spots whose spacing is not set.
 const PACKED: f64 = 0.22;
-/// Period ÷ width of stripes whose period is free.
+/// Period ÷ width that is assumed for stripes whose period is not set.
 const PERIOD: f64 = 2.0;
-/// Marks and places that are shown nearer to each other than this, in steps of the grid, hide the place.
+/// A place that is nearer to a drawn mark than this share of the grid's step is not shown.
 const BESIDE: f64 = 0.35;
-/// Below this coherence the directions of the marks around a place cancel.
+/// Below this coherence, the directions of the marks around a place cancel each other.
 const CANCEL: f64 = 0.3;
-/// Above this aspect a spot has no direction that one could see.
+/// Above this aspect a spot is so round that its direction cannot be seen.
 const ROUND: f64 = 0.85;
-/// Places that are shown nearer to each other than this are not painted, points.
+/// Where places are closer together than this on the screen, they are not painted, points.
 const SMALLEST: f32 = 7.0;
 
-/// What is wanted at a place.
+/// What the marks ask for at one place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Glyph {
     /// The place, px.
     pub at: [f64; 2],
     /// Size, shape, direction.
     pub wanted: Attributes,
-    /// How far the marks around it agree on a direction, 0..1.
+    /// How well the directions of the marks around the place agree, 0..1.
     pub coherence: f64,
 }
 
 impl Glyph {
-    /// Whether the marks around it want directions that cancel.
+    /// Whether the directions of the marks around the place cancel each other.
     #[must_use]
     pub fn is_cancelled(&self) -> bool {
         let is_round = matches!(self.wanted, Attributes::Spots(spots) if spots.aspect > ROUND);
@@ -50,21 +50,21 @@ impl Glyph {
     }
 }
 
-/// What is wanted on a layer.
+/// What the marks of a layer ask for.
 #[derive(Clone, Debug)]
 pub struct Wanted {
-    /// At any place.
+    /// The attributes at any place.
     pub map: FreeMap,
     /// At the places that are shown.
     pub glyphs: Vec<Glyph>,
-    /// Distance of these, px.
+    /// Distance between these places, px.
     step: f64,
 }
 
-/// The revision and the layer that something was computed for.
+/// The revision and the layer of the sketch from which a result was computed.
 type Key = (u64, usize);
 
-/// What is wanted on the active layer of a session, as it was when the last computation ended.
+/// What the marks of the active layer of a session ask for, from the last computation that has ended.
 #[derive(Default)]
 pub struct LiveWanted {
     known: Option<(Key, Option<Wanted>)>,
@@ -72,9 +72,9 @@ pub struct LiveWanted {
 }
 
 impl LiveWanted {
-    /// Receives what was computed, and computes it anew where the sketch has changed; never waits, unless no thread can be
-    /// started. One computation runs at a time, so that a drag shows each that ends. While `waits` is true none
-    /// starts, so that a growth has the processor to itself.
+    /// Receives the result of a computation, and starts a new one where the sketch has changed; never blocks, unless no
+    /// thread can be started. One computation runs at a time, so that during a drag the results appear one after the
+    /// other. While `waits` is true no computation is started, so that a growth has the processor to itself.
     pub fn follow(&mut self, session: &Session, tasks: &Tasks, waits: bool) {
         if let Some((key, task)) = &mut self.computing {
             let wanted = task.poll();
@@ -88,7 +88,7 @@ impl LiveWanted {
             return;
         }
         let mut marks = session.marks_on_tile(session.active_layer);
-        // Lines between cells want nothing at their places.
+        // Lines between cells set no attributes in the space around them.
         let kind = session.kind(session.active_layer);
         marks.retain(|mark| Some(Kind::from(mark)) == kind);
         let document = session.document();
@@ -110,20 +110,20 @@ impl LiveWanted {
         }
     }
 
-    /// Another document is open.
+    /// Removes the result, because another document was opened.
     pub fn forget(&mut self) {
         *self = Self::default();
     }
 
-    /// Whether it is being computed.
+    /// Whether a computation is running.
     #[must_use]
     pub fn is_busy(&self) -> bool {
         self.computing.is_some()
     }
 
-    /// What is wanted on this layer; `None` in documents with regions, of layers without marks, of lines around marks or
-    /// between them, of which only the width counts, and of weaves, which have several directions in one place. While it is
-    /// computed anew, what was wanted before.
+    /// What the marks of this layer ask for. `None` for documents with regions, for layers without marks, for lines
+    /// around or between the marks beneath, of which only the width counts, and for weaves, which have several
+    /// directions at one place. While a new computation runs, this is the result before it.
     #[must_use]
     pub fn of(&self, layer: usize) -> Option<&Wanted> {
         let ((_, known), wanted) = self.known.as_ref()?;
@@ -131,15 +131,16 @@ impl LiveWanted {
     }
 }
 
-/// Whether the marks of a layer want one size and one direction in each place: not only a width, nor several directions.
+/// Whether the marks of a layer ask for one size and one direction at each place: not only for a width, and not for
+/// several directions.
 pub(super) fn is_one_field(document: &Document, layer: usize) -> bool {
     let is_along_curves = |layer: &Layer| matches!(layer.after, After::Around | After::Net);
     !document.layers.get(layer).is_some_and(is_along_curves) && document.pairs(layer).is_none()
 }
 
 impl Wanted {
-    /// What the `marks` of a layer want; `None` where they are mixed, or only their width counts, or where they want several
-    /// directions in one place.
+    /// What the `marks` of a layer ask for. `None` where they are of several kinds, where only their width counts, or
+    /// where they ask for several directions at one place.
     fn new(marks: &[Mark], document: &Document, layer: usize) -> Option<Self> {
         let of_layer = document.layers.get(layer).filter(|_| is_one_field(document, layer))?;
         let size = document.size.map(f64::from);
@@ -161,7 +162,7 @@ impl Wanted {
         }
         for glyph in &self.glyphs {
             let is_cancelled = glyph.is_cancelled();
-            // A spot has a size there, a stripe has nothing.
+            // A spot shows its size there; a stripe shows nothing.
             if !is_cancelled || matches!(glyph.wanted, Attributes::Spots(_)) {
                 ink.mark(&self.example(glyph), Color32::TRANSPARENT, stroke(glyph, colours));
             }
@@ -171,7 +172,7 @@ impl Wanted {
         }
     }
 
-    /// The mark that stands for a place: a spot as it is wanted there, or a piece of a stripe.
+    /// The mark that is shown at a place: a spot with the attributes there, or a piece of a stripe.
     fn example(&self, glyph: &Glyph) -> Mark {
         match glyph.wanted {
             Attributes::Spots(spots) => {
@@ -186,7 +187,7 @@ impl Wanted {
     }
 }
 
-/// The distance of the places: about that of one spot from the other, or of every other stripe.
+/// The distance between the places, px: about the spacing of the spots, or twice the period of the stripes.
 fn step(mean: &Attributes, size: [f64; 2]) -> f64 {
     let wanted = match mean {
         Attributes::Spots(spots) => spots.spacing.unwrap_or_else(|| (spots.area / PACKED).sqrt()),
@@ -196,7 +197,7 @@ fn step(mean: &Attributes, size: [f64; 2]) -> f64 {
     wanted.clamp(longer / most, longer / fewest)
 }
 
-/// Places about `step` px apart, in rows of which every other one is shifted by half a step.
+/// Places in rows, about `step` px apart; every other row is shifted by half a step.
 fn places(size: [f64; 2], step: f64) -> Vec<[f64; 2]> {
     let [columns, rows] = size.map(|side| (side / step).round().max(1.0));
     let mut places = Vec::new();
@@ -209,7 +210,7 @@ fn places(size: [f64; 2], step: f64) -> Vec<[f64; 2]> {
     places
 }
 
-/// The outline of what is wanted: faint where the directions of the marks around it hardly agree.
+/// The stroke of an outline: faint where the directions of the marks around the place hardly agree.
 fn stroke(glyph: &Glyph, colours: &Palette) -> Stroke {
     let agreed = match glyph.wanted {
         Attributes::Spots(spots) if spots.aspect > ROUND => 1.0,
@@ -218,7 +219,7 @@ fn stroke(glyph: &Glyph, colours: &Palette) -> Stroke {
     Stroke::new(1.0, colours.edge.gamma_multiply(0.2 + 0.5 * agreed))
 }
 
-/// A cross where directions cancel.
+/// A cross where the directions cancel each other.
 fn cross(ink: &Ink, at: [f64; 2], colours: &Palette) {
     let (middle, stroke) = (ink.at(at), Stroke::new(1.2, colours.wrong.gamma_multiply(0.8)));
     for arm in [vec2(3.5, 3.5), vec2(3.5, -3.5)] {

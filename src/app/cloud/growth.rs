@@ -1,4 +1,4 @@
-//! What Turing's growth makes at each growth and decay, with the growth of a layer marked.
+//! The map of what Turing's system grows at each growth and decay, with the growth of a layer marked.
 
 use egui::{Color32, Id, Ui, vec2};
 use egui_plot::{Plot, PlotImage, PlotPoint, PlotPoints, Polygon};
@@ -11,7 +11,7 @@ use crate::rd::GrowthMap;
 const PICTURE: Asset = asset!(".", "growth-map");
 /// The decay of layers.
 const DECAY: f64 = 20.0;
-/// The frame around the growth of a layer reaches so far to both sides, where its growth is the same everywhere.
+/// Half the width of the frame that marks the growth of a layer, where this growth is the same everywhere.
 const LEAST: f64 = 0.15;
 
 /// The map and the growth of a layer.

@@ -37,7 +37,7 @@ pub struct Cloud {
 }
 
 impl Cloud {
-    /// Computes the cloud of a region that was grown with `system`, in the background.
+    /// Computes the cloud of a region that was grown with `system`, on another thread.
     ///
     /// # Errors
     /// Where no thread can be started.
@@ -66,13 +66,13 @@ impl Cloud {
         self.asked = Some(asked);
     }
 
-    /// The growths that are marked in the map, if that is shown.
+    /// The range of growths that is marked in the map, where the map is shown.
     #[must_use]
     pub fn growth(&self) -> Option<[f32; 2]> {
         self.growth.as_ref().filter(|_| self.asked.is_some()).map(|view| view.range)
     }
 
-    /// Another document is open.
+    /// Closes the cloud, because another document was opened.
     pub fn forget(&mut self) {
         *self = Self { axes: self.axes, question: self.question, ..Self::default() };
     }

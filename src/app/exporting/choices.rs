@@ -46,7 +46,7 @@ pub enum PictureContent {
 /// The size of an export.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size {
-    /// The canvas to grow, px, with marks of the same size; `None` = the document's.
+    /// The canvas to grow, px, with marks of unchanged size; `None` = the canvas of the document.
     pub canvas: Option<[u32; 2]>,
     /// Px of the picture per px of the canvas, along each side.
     pub scale: u32,
@@ -129,7 +129,7 @@ pub struct Outlines {
     pub area: f64,
     /// Whether strokes end at the edge of the canvas, instead of running along it.
     pub cut: bool,
-    /// Whether paths are ordered to shorten the way of the pen.
+    /// Whether paths are ordered to shorten the travel of the pen.
     pub ordered: bool,
     /// Whether an SVG has a rectangle in the colour of the ground beneath them.
     #[serde(default)]
@@ -216,7 +216,7 @@ impl Choices {
         Self { size, ..Self::default() }
     }
 
-    /// The ending of the file; `None` = a folder.
+    /// The ending of the file's name; `None` where a folder is written.
     #[must_use]
     pub fn ending(&self) -> Option<&'static str> {
         match self.what {
@@ -234,7 +234,7 @@ impl Choices {
         }
     }
 
-    /// Changes choices that do not go together.
+    /// Changes choices that exclude each other.
     pub fn make_consistent(&mut self) {
         let picture = &mut self.picture;
         if !picture.format.holds(picture.content()) {

@@ -37,7 +37,7 @@ impl Dialog {
         self.preview.follow(context.tasks, context.request, context.grown, context.threads);
         let size = small_screen::dialog_size(ui.ctx(), [920.0, 620.0]);
         ui.set_width(size.x);
-        // Enter that ends the typing of a number does not close the dialog.
+        // Enter that ends the typing of a number must not close the dialog.
         let enter = ui.input(|input| input.key_pressed(egui::Key::Enter))
             && ui.memory(|memory| memory.focused().is_none());
         self.head(ui);
@@ -95,7 +95,7 @@ impl Dialog {
         });
     }
 
-    /// Where a film lacks its other document, asks for that first.
+    /// Where the other document of a film is missing, asks for it first.
     fn checked(&self, action: DialogAction) -> DialogAction {
         let film = &self.choices.film;
         let lacks = self.choices.what == ExportKind::Film && film.change && film.to.is_none();
@@ -171,7 +171,7 @@ impl Dialog {
                 let lacks = context.request.choices.film.change && context.request.choices.film.to.is_none();
                 let can = !(context.request.is_film() && lacks);
                 let text = if context.request.is_film() { "Preview the film" } else { "Show preview" };
-                let explained = "Make the whole export to look at it before it is written";
+                let explained = "Compute the whole export, to check it before it is written";
                 let button = ui.add_enabled(can && !waits, Button::new(text)).on_hover_text(explained);
                 if button.clicked() {
                     self.preview.make(context.tasks, context.request, context.grown, context.threads);
@@ -217,7 +217,7 @@ impl Dialog {
         let what = self.view.chosen.clone();
         combo.response.widget_info(|| {
             let role = egui::accesskit::Role::ComboBox;
-            egui::WidgetInfo::labeled(role, true, format!("Seen: {what}"))
+            egui::WidgetInfo::labeled(role, true, format!("Preview shows: {what}"))
         });
     }
 

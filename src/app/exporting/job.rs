@@ -1,10 +1,10 @@
-//! Growing and writing beside the window, as one share of progress.
+//! Growing and writing on another thread, with one common progress.
 
 use crate::editor::task::{Task, Tasks, Worker};
 use crate::machine::threads;
 use crate::synth::{Stage, Watch};
 
-/// Work that is being done. Dropping it cancels it.
+/// Work that is being done on another thread. Dropping the job cancels the work.
 pub struct Job<T> {
     task: Option<Task<Result<T, String>>>,
     /// Why no thread could be started.
@@ -12,8 +12,8 @@ pub struct Job<T> {
 }
 
 impl<T: Send + 'static> Job<T> {
-    /// Starts `work` with this number of threads (`None` = all cores). Writing is the last `writing` (0..1) of its
-    /// progress.
+    /// Starts `work` with this number of threads (`None` = all cores). Writing takes the last part, `writing` (0..1),
+    /// of the progress.
     #[must_use]
     pub fn start(
         tasks: &Tasks,
@@ -40,13 +40,13 @@ impl<T: Send + 'static> Job<T> {
         }
     }
 
-    /// The share that is done, 0..1.
+    /// The share of the work that is done, 0..1.
     #[must_use]
     pub fn progress(&self) -> f32 {
         self.task.as_ref().map_or(0.0, Task::progress) as f32
     }
 
-    /// Cancels it; nothing is left behind.
+    /// Cancels the work; no files are left.
     pub fn cancel(&self) {
         if let Some(task) = &self.task {
             task.cancel();
@@ -59,7 +59,7 @@ impl<T: Send + 'static> Job<T> {
         self.task.as_ref().is_some_and(Task::is_cancelled)
     }
 
-    /// What came of it, once it is over; never waits.
+    /// The result of the work, once it has ended; never blocks.
     pub fn outcome(&mut self) -> Option<Result<T, String>> {
         let Some(task) = &mut self.task else { return self.error.take().map(Err) };
         let outcome = task.poll();

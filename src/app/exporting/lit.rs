@@ -15,7 +15,7 @@ use crate::synth::render::lit::{Body, Maps, Pictures, Pose, render};
 pub const LIT: &str = "Lit";
 /// The largest side of the view, px of the screen.
 const MOST: f32 = 720.0;
-/// Points that an arrow key turns by.
+/// The rotation by one press of an arrow key, as a drag of this many points.
 const STEP: f32 = 20.0;
 
 /// The maps that are lit, from the pictures of a material and their names; `None` where one is missing.
@@ -74,12 +74,13 @@ pub struct LitView {
     /// What the texture shows.
     shown: Option<Wanted>,
     texture: Option<TextureHandle>,
-    /// What is being rendered beside the window.
+    /// The view that is being rendered on another thread.
     rendering: Option<(Wanted, Task<ColorImage>)>,
 }
 
 impl LitView {
-    /// Shows the material in `room`, as it was rendered last; a drag or the arrow keys turn it, a double click turns it back.
+    /// Shows the last rendered view of the material in `room`. A drag or the arrow keys turn the body, a double click
+    /// turns it back.
     pub fn ui(&mut self, ui: &Ui, room: Rect, maps: &Arc<Maps>, tasks: &Tasks) {
         let response = ui.interact(room, Id::unique("lit preview"), Sense::click_and_drag());
         let what = format!("Lit preview, {}", name(self.body));
@@ -96,7 +97,7 @@ impl LitView {
         }
         let points = room.width().min(room.height());
         let side = (points * ui.pixels_per_point()).min(MOST).round().max(16.0) as usize;
-        // While it turns, fewer rays: it follows the hand. Once more with all of them when it rests.
+        // Fewer rays while the body turns, so that the view follows the pointer; all rays once it rests.
         let samples = if response.dragged() { 1 } else { 2 };
         self.listen(ui);
         let wanted = Wanted { maps: Arc::clone(maps), body: self.body, pose: self.pose, side, samples };
@@ -110,7 +111,7 @@ impl LitView {
         }
         response
             .on_hover_cursor(egui::CursorIcon::Grab)
-            .on_hover_text("Drag to turn it, or use the arrow keys; double-click to turn it back");
+            .on_hover_text("Drag to turn the body, or use the arrow keys; double-click to turn it back");
     }
 
     /// Whether it is being rendered.
@@ -119,7 +120,8 @@ impl LitView {
         self.rendering.is_some()
     }
 
-    /// Starts to render what is wanted, once what is being rendered has been shown: it turns in as many steps as can be rendered.
+    /// Starts to render `wanted` once the view before it is finished and shown, so that a turning body is shown in as
+    /// many steps as can be rendered.
     fn follow(&mut self, ui: &Ui, wanted: Wanted, tasks: &Tasks) {
         if self.rendering.is_some() || self.shown.as_ref().is_some_and(|shown| shown.is(&wanted)) {
             return;
@@ -127,7 +129,7 @@ impl LitView {
         let now = wanted.clone();
         match tasks.start("the lit preview", move |worker: &Worker<_>| worker.send(now.render())) {
             Ok(task) => self.rendering = Some((wanted, task)),
-            // Without a thread the window waits for it.
+            // Where no thread can be started, the window blocks until the view is rendered.
             Err(_) => {
                 let image = wanted.render();
                 self.show(ui, wanted, image);
@@ -166,7 +168,7 @@ fn name(body: Body) -> &'static str {
     Body::ALL.iter().find(|(other, _)| *other == body).map_or("", |(_, name)| name)
 }
 
-/// The turn that the arrow keys ask for, points.
+/// The rotation that the arrow keys ask for, points.
 fn arrows(ui: &Ui) -> Vec2 {
     ui.input(|input| {
         let pressed = |key| input.num_presses(key) as f32;
@@ -186,7 +188,7 @@ mod tests {
     use crate::editor::task::{Body as Work, Spawn};
     use crate::machine::threads::{self, JoinHandle};
 
-    /// What was to be run on a thread.
+    /// The work that was to run on threads.
     static HELD: Mutex<Vec<Work>> = Mutex::new(Vec::new());
 
     fn hold(name: &'static str, work: Work) -> io::Result<JoinHandle<()>> {
@@ -194,7 +196,7 @@ mod tests {
         threads::start(name, || {})
     }
 
-    /// Does what is held; says how much it was.
+    /// Does the held work; returns how many pieces it was.
     fn done() -> usize {
         HELD.lock().unwrap().drain(..).map(|work| work()).count()
     }
@@ -211,7 +213,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_rendered_last_is_shown_until_a_thread_has_rendered_what_is_wanted_then() {
+    fn the_last_view_is_shown_until_a_thread_has_rendered_the_next_one() {
         let tasks = Tasks::default().with_spawn(Spawn(hold));
         let maps = flat();
         let poses =
@@ -230,9 +232,9 @@ mod tests {
         assert_eq!(shown(poses[0]), None);
         assert_eq!(done(), 1);
         assert_eq!((shown(poses[0]), done()), (Some(poses[0]), 0));
-        assert_eq!(shown(poses[1]), Some(poses[0]), "it is not waited for");
+        assert_eq!(shown(poses[1]), Some(poses[0]), "the window does not wait for the render");
         assert_eq!(shown(poses[2]), Some(poses[0]));
-        assert_eq!(done(), 1, "one at a time");
+        assert_eq!(done(), 1, "one render at a time");
         assert_eq!(shown(poses[2]), Some(poses[1]));
         assert_eq!(done(), 1);
         assert_eq!(shown(poses[2]), Some(poses[2]));

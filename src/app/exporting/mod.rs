@@ -47,8 +47,8 @@ pub struct Exporting {
 }
 
 impl Exporting {
-    /// Begins. What has been `made` of it, or has `grown`, is taken as it is; the rest is grown by so many `threads` (`None`
-    /// = all cores), which does not change it.
+    /// Starts the export. What `made` (the files of the preview) or `grown` (a finished texture) already holds is
+    /// reused. The rest is grown with this number of `threads` (`None` = all cores), which does not change the result.
     #[must_use]
     pub fn new(
         path: &Path,
@@ -86,7 +86,7 @@ impl Exporting {
         self.job.is_cancelled()
     }
 
-    /// Once it has ended: a message about what was written, or the error.
+    /// The result once the export has ended: a message about what was written, or the error.
     pub fn outcome(&mut self) -> Option<Result<Option<String>, String>> {
         self.job.outcome()
     }
@@ -117,16 +117,17 @@ fn write(
         Ok(written.message)
     })();
     if written.is_err() && !began && request.choices.what == ExportKind::Material {
-        // Removes it only where it is empty.
+        // Removes the folder only where it is empty.
         let _ = fs::remove_dir(path);
     }
     written
 }
 
-/// Checks before the work whether it can be written there.
+/// Checks before the work starts whether the export can be written there.
 ///
 /// # Errors
-/// Why it cannot.
+///
+/// Why it cannot be written.
 pub fn check(path: &Path, request: &ExportRequest) -> Result<(), String> {
     let checked = match (request.choices.what, request.choices.ending()) {
         (ExportKind::Film, _) => files::film_kind(path).map(drop),

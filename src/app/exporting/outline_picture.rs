@@ -1,11 +1,11 @@
-//! Outlines → a picture of them: the same paths that are written.
+//! A picture of outlines, made from the same paths that are written to the file.
 
 use egui::{Color32, ColorImage};
 
 use crate::export::outline::path::flattened;
 use crate::export::outline::{BezPath, Group, Shape};
 
-/// Outlines, as they are written.
+/// Outlines, as they are written to the file.
 pub struct OutlinePicture {
     /// The canvas, px.
     pub size: [f64; 2],

@@ -20,9 +20,9 @@ use crate::synth::Grown;
 pub struct ExportContext<'a> {
     /// What would be exported with the current choices.
     pub request: &'a ExportRequest,
-    /// The texture that has settled.
+    /// The finished texture.
     pub grown: Option<&'a Arc<Grown>>,
-    /// Whether it is still growing.
+    /// Whether the texture is still growing.
     pub growing: bool,
     /// Starts the threads.
     pub tasks: &'a Tasks,
@@ -72,12 +72,12 @@ fn yes(ui: &mut Ui, text: &str, on: &mut bool, enabled: bool, explained: &str) {
         .on_disabled_hover_text(explained);
 }
 
-/// A field for a number with a unit. Gives whether it changed.
+/// A field for a number with a unit. Returns whether the number was changed.
 fn number(ui: &mut Ui, name: &str, field: DragValue, unit: &str) -> bool {
     ui.add(number_field(field, unit)).accessible_name(name).changed()
 }
 
-/// A list of options. Gives whether another one was chosen.
+/// A list of options. Returns whether another one was chosen.
 fn one_of<T: PartialEq + Copy>(
     ui: &mut Ui,
     name: &str,

@@ -1,5 +1,5 @@
-//! The preview: the files of the export, written into a temporary folder and read back. Where it is the whole export,
-//! the export copies those files.
+//! The preview: the files of the export, written into a temporary folder and read back. Where the preview is the whole
+//! export, the export copies these files.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -25,16 +25,16 @@ use crate::synth::{Grown, Training, Watch};
 
 /// Largest number of px of a preview; larger pictures are reduced.
 const MOST: f64 = 4.2e6;
-/// Longer side of a picture of outlines, px.
+/// Longer side of the preview of outlines, px.
 const DRAWN: usize = 1024;
-/// Outlines of a larger canvas are previewed only on request, px.
+/// Outlines of a canvas of more than this area are previewed only on request, px².
 const LARGE: f64 = 1.7e7;
 
 /// A preview that is finished.
 pub struct FinishedPreview {
     /// What is exported.
     pub request: ExportRequest,
-    /// Whether it is the whole export, or a reduced one.
+    /// Whether this is the whole export, not a reduced one.
     pub whole: bool,
     /// Its pictures or frames.
     pub images: PreviewImages,
@@ -66,7 +66,8 @@ pub struct Preview {
 }
 
 impl Preview {
-    /// Updates it after changed choices: makes quick previews at once, and estimates time and memory for the others.
+    /// Updates the preview after changed choices: starts quick previews at once, and estimates time and memory of the
+    /// others.
     pub fn follow(
         &mut self,
         tasks: &Tasks,
@@ -193,7 +194,7 @@ impl Preview {
         self.job.as_ref().map(|(_, job)| job.progress())
     }
 
-    /// Time and memory to grow it; `None` where they are not known, or it cannot be planned.
+    /// Time and memory to grow the request; `None` where they are not known, or where it cannot be planned.
     #[must_use]
     pub fn needs(&self, request: &ExportRequest) -> Option<Needs> {
         let grown = self.sized(request);

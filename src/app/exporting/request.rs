@@ -57,7 +57,7 @@ impl Pending {
     }
 }
 
-/// What was written.
+/// The files that were written, and a message about them.
 pub struct Written {
     /// The files.
     pub pending: Pending,
@@ -129,7 +129,7 @@ impl ExportRequest {
         Extent { size: self.choices.size.other(&self.document), scale: self.choices.size.scale }
     }
 
-    /// Writes it to `path`, pictures with `size` px: their full size, or a smaller one for the preview.
+    /// Writes the export to `path`. Pictures have `size` px: their full size, or a smaller one for the preview.
     ///
     /// # Errors
     /// What went wrong, with the file's name and the remedy.

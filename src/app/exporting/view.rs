@@ -20,9 +20,10 @@ pub struct View {
     pub chosen: String,
     /// Whether a px of the picture is shown as a px of the screen.
     pub close: bool,
-    /// The centre of the visible part in that case, 0..1.
+    /// The centre of the visible part at actual size, as a share 0..1 of the picture.
     center: Vec2,
-    /// What the texture holds: which preview, which picture or frame, whether not interpolated.
+    /// The content of the texture: which preview, which picture or frame, and whether its px are shown without
+    /// interpolation.
     held: Option<(usize, usize, bool)>,
     texture: Option<TextureHandle>,
     /// The time in the film, seconds.
@@ -62,7 +63,7 @@ impl View {
         }
     }
 
-    /// Shows the preview in `room`, paler where it is not up to date (`fresh`).
+    /// Shows the preview in `room`. It is paler where it is not up to date (not `fresh`).
     pub fn ui(&mut self, ui: &mut Ui, room: Rect, made: &Arc<FinishedPreview>, fresh: bool) -> Response {
         let frames = made.frames();
         let (index, image) = if frames.is_empty() {

@@ -1,4 +1,4 @@
-//! The work of the growth thread: one growth of one document, with pictures on the way.
+//! The work of the growth thread: it grows one document once, and sends pictures while the texture grows.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
@@ -18,25 +18,26 @@ use crate::synth::{
     UPDATES, unchanged,
 };
 
-/// Least time between two pictures of a growth, ms: the least and the most.
+/// Limits of the time between two pictures of a growth, ms: the shortest and the longest.
 const BETWEEN_PICTURES: [u32; 2] = [60, 600];
-/// While a texture grows, the time between two of its pictures, and between frames that only an animation needs, ÷ the time that a
-/// frame takes: with a software renderer a frame keeps two cores busy for 12 ms at 1280 × 800. Such frames take at most an eighth of
-/// the time.
+/// While a texture grows: the time between two of its pictures, and between two frames that only an animation needs, as
+/// a multiple of the time that one frame takes. With a software renderer a frame uses two cores for 12 ms at 1280 ×
+/// 800. With this factor such frames take at most an eighth of the time.
 pub(super) const FRAMES_BETWEEN: f32 = 8.0;
-/// From the first picture of a growth to its second one, and to a frame that only an animation needs. Most sketches have settled by
-/// then: with two cores and a software renderer, each frame in between takes some 20 ms of processor time from them.
+/// The time from the first picture of a growth to the second one, and to the next frame that only an animation needs.
+/// Most sketches have settled by then. With two cores and a software renderer, each frame in between would take some 20
+/// ms of processor time from the growth.
 pub(super) const AFTER_FIRST: Duration = Duration::from_millis(300);
 
 /// What a growth sends.
 pub(super) enum News {
     /// The pattern so far.
     Picture(Picture),
-    /// It has settled; the number of its lowest layers that were taken from an earlier growth.
+    /// The texture has settled. The number is that of its lowest layers that were taken from an earlier growth.
     Settled(Texture, Picture, usize),
-    /// The drawn marks that find no room, by layer of the document, as far as that is known.
+    /// The drawn marks for which there is no room, by layer of the document, as far as that is known.
     LeftOut(Vec<Vec<DrawnMark>>),
-    /// It cannot be grown: why.
+    /// The document cannot be grown: why.
     Failed(String),
 }
 
@@ -55,14 +56,15 @@ pub(super) struct Shared {
 }
 
 impl Shared {
-    /// Fewer pictures where a frame of the window takes long, seconds.
+    /// Sets the time between two pictures: longer where a `frame` of the window takes longer, seconds.
     pub(super) fn set_pace(&self, frame: f32) {
         let [least, most] = BETWEEN_PICTURES;
         let between = (1e3 * FRAMES_BETWEEN * frame) as u32;
         self.between.store(between.clamp(least, most), Ordering::Relaxed);
     }
 
-    /// Paints settled pictures with so many px for each px of the canvas, along a side. Returns whether that is new.
+    /// Sets the fineness of settled pictures: this many px for each px of the canvas, along a side. Returns whether the
+    /// fineness is new.
     pub(super) fn set_fineness(&self, fineness: usize) -> bool {
         self.fineness.swap(fineness.max(1), Ordering::Relaxed) != fineness.max(1)
     }
@@ -83,7 +85,7 @@ impl Shared {
     pub(super) fn install(&self, threads: Option<usize>, work: impl FnOnce() + Send) {
         match self.pool(threads) {
             Some(pool) => pool.install(work),
-            // Without threads of its own it uses the ones that all of the program share.
+            // Where no own threads can be started, uses those that the whole program shares.
             None => work(),
         }
     }
@@ -106,8 +108,8 @@ impl Shared {
         *self.reusable.lock().unwrap_or_else(PoisonError::into_inner) = Some(grown);
     }
 
-    /// Keeps the layers of `document` that have grown so far: should it change while the next one grows, they need
-    /// not grow again.
+    /// Keeps the layers of `document` that have grown so far. If the document changes while the next layer grows, they
+    /// need not grow again.
     fn keep_layers(&self, document: &Document, layers: &[GrownLayer]) {
         let mut document = document.clone();
         document.layers.truncate(layers.len());
@@ -119,7 +121,7 @@ impl Shared {
 
 /// What the window and a growth share while it runs.
 pub(super) struct Live {
-    /// The document in the colours in which it is shown; they may change.
+    /// The document in the colours in which it is shown; they may change during the growth.
     coloured: Mutex<Arc<Document>>,
     progress: Mutex<(Stage, f64)>,
 }
@@ -151,14 +153,14 @@ impl Live {
 /// One growth.
 pub(super) struct Job {
     pub(super) document: Arc<Document>,
-    /// This document, grown elsewhere.
+    /// A texture of this document that was already grown elsewhere.
     pub(super) known: Option<Arc<Grown>>,
     pub(super) live: Arc<Live>,
     pub(super) shared: Arc<Shared>,
 }
 
 impl Job {
-    /// Grows the document and sends what comes of it.
+    /// Grows the document and sends the results.
     pub(super) fn run(&self, worker: &Worker<News>) {
         let document = &self.document;
         let known = self.known.clone().filter(|known| essence(&known.document) == essence(document));
@@ -178,7 +180,8 @@ impl Job {
         }
     }
 
-    /// The plan of the first layer that grows may be `known`; then a picture of it has been sent.
+    /// Grows the document. The plan of the first layer that grows may be `known`; then a picture of it has already been
+    /// sent.
     fn grow(
         &self,
         worker: &Worker<News>,

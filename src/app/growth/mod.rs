@@ -1,4 +1,4 @@
-//! Growth beside the window: a task grows the latest document; the window never waits for it.
+//! Growth on another thread: a task grows the latest document; the window never waits for it.
 //!
 //! The task advances a [`crate::synth::Growth`], as `dapple grow` does: the settled picture is the one that
 //! `dapple grow` writes.
@@ -19,22 +19,22 @@ use crate::synth::report::DrawnMark;
 use crate::synth::{Grown, Stage};
 use job::{AFTER_FIRST, FRAMES_BETWEEN, Job, Live, News, Shared};
 
-/// Shown where the growth panicked.
-const FAULT: &str = "growing an error in dapple; please report the document. The sketch is not harmed: save it, \
-                     or change it and it is grown anew";
+/// The message where the growth panicked.
+const FAULT: &str = "growing failed because of an error in dapple; please report the document. Your sketch is \
+                     not lost: save it, or change it to grow it again";
 
-/// The state of a growth.
+/// The state of the growth.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GrowthState {
     /// There is nothing to grow.
     Idle,
-    /// It is growing: the current stage, and the share of it that is done, 0..1.
+    /// A document is growing: the current stage, and the share of it that is done, 0..1.
     Growing(Stage, f64),
-    /// It was stopped; the picture shows how far it came.
+    /// The growth was stopped; the picture shows the pattern at that moment.
     Stopped,
-    /// It has settled after this time.
+    /// The texture has settled after this time.
     Settled(Duration),
-    /// It cannot be grown: why.
+    /// The document cannot be grown: why.
     Failed(String),
 }
 
@@ -53,18 +53,18 @@ pub struct Growth {
     shared: Arc<Shared>,
     task: Option<Task<News>>,
     live: Option<Arc<Live>>,
-    /// The growth before, which is cancelled and may still run for a moment.
+    /// The growth before this one. It was cancelled and may still run for a moment.
     ending: Option<Ending>,
     /// The painting of the settled texture in other colours or at another fineness, and the document it paints.
     painting: Option<(Arc<Document>, Task<Picture>)>,
-    /// The next document, grown elsewhere.
+    /// The next document, where it was grown elsewhere.
     known: Option<Arc<Grown>>,
     threads: Option<usize>,
     /// Number of growths so far.
     generation: u64,
     asked: Option<Document>,
     since: Instant,
-    /// Its state.
+    /// The state of the growth.
     pub state: GrowthState,
     /// The latest picture.
     pub picture: Option<Picture>,
@@ -105,13 +105,13 @@ impl Growth {
         }
     }
 
-    /// Takes fewer pictures of what grows where a frame of the window takes long, seconds.
+    /// Takes fewer pictures of the growing texture where a frame of the window takes longer, seconds.
     pub fn set_pace(&self, frame: f32) {
         self.shared.set_pace(frame);
     }
 
-    /// The time to the next frame that only an animation needs, while something grows: eight times what a `frame` of the window
-    /// takes, seconds, and not before the time in which most sketches settle is over.
+    /// The time to the next frame that only an animation needs, while a texture grows: eight times the duration of a
+    /// `frame` of the window, seconds, and not before the time in which most sketches settle is over.
     #[must_use]
     pub fn until_next_frame(&self, frame: f32) -> Duration {
         let usual = Duration::from_secs_f32(FRAMES_BETWEEN * frame);
@@ -121,20 +121,21 @@ impl Growth {
         }
     }
 
-    /// Whether something grows that may settle soon: what else has to be computed can wait for that.
+    /// Whether a texture is growing that may settle soon. Other computations can wait until then.
     #[must_use]
     pub fn may_settle_soon(&self) -> bool {
         let is_early = |first| !self.left_after(first).is_zero();
         self.is_growing() && !self.paused && self.first_picture.is_none_or(is_early)
     }
 
-    /// What is left of the time after the `first` picture in which most sketches settle.
+    /// The rest of the time, after the `first` picture, in which most sketches settle.
     fn left_after(&self, first: Duration) -> Duration {
         (first + AFTER_FIRST).saturating_sub(self.since.elapsed())
     }
 
-    /// Paints the settled picture with so many px for each px of the canvas, along a side: as many as it has on the screen
-    /// where it is magnified, so that edges stay sharp. Pictures of more than 2,048 px a side are not painted finer.
+    /// Paints the settled picture with this many px for each px of the canvas, along a side. A magnified picture needs
+    /// as many px as it has on the screen, so that edges stay sharp. Pictures of more than 2,048 px a side are not
+    /// painted finer.
     pub fn set_fineness(&mut self, fineness: usize) {
         if self.shared.set_fineness(fineness) {
             self.paint();
@@ -147,7 +148,8 @@ impl Growth {
         self.threads = threads;
     }
 
-    /// Grows `document` instead of what is growing, unless it has the same pattern. An empty document is not grown.
+    /// Grows `document` in place of the one that is growing, unless both have the same pattern. An empty document is
+    /// not grown.
     pub fn grow(&mut self, document: &Document) {
         if document.layers.is_empty() {
             if self.asked.take().is_some() {
@@ -187,7 +189,7 @@ impl Growth {
     fn start(&mut self, job: Job) -> Result<Task<News>, StartError> {
         let (ending, threads) = (self.ending.take(), self.threads);
         self.tasks.start("growth", move |worker| {
-            // Two growths at a time would slow each other down.
+            // Two growths at the same time would slow each other down.
             if let Some(ending) = ending {
                 ending.wait();
             }
@@ -212,7 +214,7 @@ impl Growth {
         }
     }
 
-    /// Paints the settled texture, unless that is being done: then it is painted again when that is over.
+    /// Paints the settled texture. Where it is being painted, it is painted again after that.
     fn paint(&mut self) {
         let Some(texture) = self.texture.clone().filter(|_| self.painting.is_none()) else { return };
         let document = Arc::clone(&texture.document);
@@ -226,7 +228,7 @@ impl Growth {
         };
         match self.tasks.start("painting", work) {
             Ok(task) => self.painting = Some((document, task)),
-            // Without a thread the window waits for it.
+            // Where no thread can be started, the window blocks until the texture is painted.
             Err(_) => self.picture = Some(Picture::settled(&texture, fineness)),
         }
     }
@@ -237,19 +239,19 @@ impl Growth {
         self.generation
     }
 
-    /// Grows it again from the beginning.
+    /// Grows the document again from the beginning.
     pub fn again(&mut self, document: &Document) {
         if !document.layers.is_empty() {
             self.begin(document);
         }
     }
 
-    /// Says that the document that comes next was `grown` elsewhere: it is not grown again.
+    /// Sets the texture of the next document, which was `grown` elsewhere, so that it is not grown again.
     pub fn know(&mut self, grown: &Arc<Grown>) {
         self.known = Some(Arc::clone(grown));
     }
 
-    /// Forgets what has grown: another document was opened.
+    /// Removes what has grown, because another document was opened.
     pub fn forget(&mut self) {
         self.cancel();
         self.asked = None;
@@ -269,7 +271,7 @@ impl Growth {
         self.asked.is_none()
     }
 
-    /// Stops; the picture stays.
+    /// Stops the growth; the picture stays.
     pub fn stop(&mut self) {
         if self.is_growing() {
             self.cancel();
@@ -289,7 +291,7 @@ impl Growth {
         }
     }
 
-    /// Whether it is paused.
+    /// Whether the growth is paused.
     #[must_use]
     pub fn is_paused(&self) -> bool {
         self.paused
@@ -309,7 +311,7 @@ impl Growth {
         }
     }
 
-    /// Receives what the tasks sent; never waits. Returns whether there is a new picture.
+    /// Receives the messages of the tasks; never blocks. Returns whether there is a new picture.
     pub fn listen(&mut self) -> bool {
         let mut is_new = false;
         while let Some(news) = self.task.as_mut().and_then(Task::poll) {
@@ -377,7 +379,7 @@ impl Growth {
     }
 }
 
-/// What the pattern depends on: the document without its names, colours and dots an inch.
+/// The part of the document on which the pattern depends: the document without its names, colours and dots per inch.
 pub(in crate::app) fn essence(document: &Document) -> Document {
     let mut essence = Document { name: String::new(), dpi: 300.0, starred: Vec::new(), ..document.clone() };
     for layer in &mut essence.layers {

@@ -11,7 +11,7 @@ use crate::synth::render::painting::Painting;
 
 /// The longest side of a picture, px: all graphics cards support textures of this size.
 const LONGEST: usize = 4096;
-/// px a cell in pictures of a growing pattern; the graphics card interpolates between them.
+/// px for each cell of the grid in pictures of a growing pattern; the graphics card interpolates between them.
 const FINENESS: usize = 2;
 /// The longest side of a settled picture with several px for each px of the canvas: larger ones take long to load.
 const MAGNIFIED: usize = 2048;
@@ -25,7 +25,7 @@ pub struct Picture {
     pub canvas: [u32; 2],
     /// Whether no px is transparent.
     pub is_opaque: bool,
-    /// The fineness that was asked for, see [`Growth::set_fineness`](super::Growth::set_fineness).
+    /// The fineness that was asked for: [`Growth::set_fineness`](super::Growth::set_fineness).
     pub(super) fineness: usize,
 }
 

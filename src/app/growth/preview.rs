@@ -1,6 +1,7 @@
-//! The first picture of a growth: the marks at their starting places, before anything is measured or corrected.
+//! The first picture of a growth: the marks at the places where their growth begins, before anything is measured or
+//! corrected.
 //!
-//! Laying out a growth takes as long as a hundred frames or so; this picture is shown until then.
+//! Preparing a growth takes as long as about a hundred frames; until then this picture is shown.
 
 use super::Picture;
 use crate::document::Document;
@@ -9,8 +10,8 @@ use crate::synth::growth;
 use crate::synth::kind::Request;
 use crate::synth::{GrownLayer, LayerPlan, Snapshot, Training};
 
-/// The picture of the layer above those `beneath` that have grown, and its plan; `None` where its growth shows its first picture as
-/// soon, and where it cannot be grown (the growth then reports why).
+/// The picture of the layer above the layers `beneath`, which have grown, and its plan. `None` where the growth shows
+/// its first picture just as soon, and where the layer cannot be grown (the growth then reports why).
 pub(super) fn preview(
     document: &Document,
     training: &Training,

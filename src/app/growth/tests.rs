@@ -1,4 +1,4 @@
-//! Growths and paintings beside the window.
+//! Tests of growths and paintings on other threads.
 
 use std::sync::mpsc::channel;
 
@@ -65,7 +65,7 @@ fn the_latest_document_wins_and_colours_and_fineness_are_changed_without_growing
 }
 
 #[test]
-fn what_can_wait_does_while_a_growth_may_settle_soon() {
+fn other_computations_wait_while_a_growth_may_settle_soon() {
     let mut growth = Growth::new(Tasks::default());
     assert!(!growth.may_settle_soon());
     growth.state = GrowthState::Growing(Stage::Plan, 0.0);

@@ -1,4 +1,4 @@
-//! What a person may want to correct.
+//! The choices that a person may want to correct.
 
 use egui::{Button, Grid, RichText, Slider, Ui, WidgetInfo, vec2};
 
@@ -19,7 +19,8 @@ pub fn rows(ui: &mut Ui, name: &str, inside: impl FnOnce(&mut Ui)) {
     grid.spacing(vec2(10.0, 5.0)).show(ui, inside);
 }
 
-/// The largest area that can be chosen for the smallest mark, px²: of two sizes it lies beyond the larger one.
+/// The largest area that can be chosen for the smallest mark, px². Where the spots have two sizes, this is more than
+/// the larger one.
 #[must_use]
 pub fn largest(picture: &Picture) -> f64 {
     match picture {
@@ -28,19 +29,22 @@ pub fn largest(picture: &Picture) -> f64 {
     }
 }
 
-/// The fields; `last` is what was found with these or the options before.
+/// Shows the fields. `last` is what was found with these options, or with the options before.
 pub fn choices(ui: &mut Ui, options: &mut PhotoOptions, last: Option<&Found>, largest: f64, ruler: Ruler) {
     ui.spacing_mut().slider_width = SLIDER;
     rows(ui, "choices", |ui| {
         named(
             ui,
             "Marks",
-            "Marks are what covers less of the photograph; of two that cover nearly the same, the darker one",
+            "Which part of the photograph the marks are: the one that covers less of it, or the one that \
+             covers more. Where both cover nearly the same, the darker one counts as less",
         );
         ui.horizontal(|ui| {
             let invert = &mut options.framing.invert;
-            ui.radio_value(invert, false, "cover less").on_hover_text("The phase that covers less");
-            ui.radio_value(invert, true, "cover more").on_hover_text("The other phase");
+            ui.radio_value(invert, false, "cover less")
+                .on_hover_text("Marks are the part that covers less of the photograph");
+            ui.radio_value(invert, true, "cover more")
+                .on_hover_text("Marks are the part that covers more of the photograph");
         });
         ui.end_row();
         level(ui, options, last);
@@ -58,9 +62,14 @@ fn named(ui: &mut Ui, text: &str, explained: &str) {
 
 fn level(ui: &mut Ui, options: &mut PhotoOptions, last: Option<&Found>) {
     let value = &mut options.framing.limits.level;
-    named(ui, "Level", "Where the edge of the marks lies between ground and mark. Lower: larger marks");
+    named(
+        ui,
+        "Level",
+        "Where the edge of a mark lies, between the tone of the ground (0) and that of the marks (1). Lower: \
+         larger marks",
+    );
     ui.horizontal(|ui| {
-        // The slider rounds what it shows, which is no change.
+        // The slider rounds the value that it shows; that is not a change.
         let rounded = |level: f32| (100.0 * level).round() / 100.0;
         let shown = rounded(value.or(last.map(|found| found.level)).unwrap_or(0.5));
         let mut level = shown;
@@ -78,7 +87,7 @@ fn level(ui: &mut Ui, options: &mut PhotoOptions, last: Option<&Found>) {
 
 fn smallest(ui: &mut Ui, options: &mut PhotoOptions, last: Option<&Found>, largest: f64, ruler: Ruler) {
     let value = &mut options.framing.limits.smallest;
-    named(ui, "Smallest", "The area of the smallest mark: what is smaller is left out");
+    named(ui, "Smallest", "The area of the smallest mark; smaller ones are left out");
     ui.horizontal(|ui| {
         let shown = value.or(last.map(|found| found.least)).unwrap_or(1.0).round().max(1.0);
         let mut least = shown;
@@ -101,7 +110,7 @@ fn smallest(ui: &mut Ui, options: &mut PhotoOptions, last: Option<&Found>, large
 
 fn layers(ui: &mut Ui, options: &mut PhotoOptions, last: Option<&Found>) {
     let spotted = last.is_none_or(|found| matches!(found.picture, Picture::Spots { .. }));
-    named(ui, "Layers", "Sizes of spots that become layers of their own");
+    named(ui, "Layers", "Whether large and small spots become separate layers");
     ui.add_enabled_ui(spotted, |ui| {
         ui.horizontal(|ui| {
             let layers = &mut options.wanted.layers;
@@ -119,7 +128,7 @@ fn layers(ui: &mut Ui, options: &mut PhotoOptions, last: Option<&Found>) {
 
 fn regions(ui: &mut Ui, options: &mut PhotoOptions, last: Option<&Found>) {
     let wanted = &mut options.wanted;
-    named(ui, "Regions", "A few marks in each region stand for all");
+    named(ui, "Regions", "In each region a few marks represent all of its marks");
     let by_itself = !wanted.all_marks && wanted.regions.is_none();
     let explained = "As few regions as explain how the marks change";
     if ui.radio(by_itself, "as few as needed").on_hover_text(explained).clicked() {
@@ -130,7 +139,7 @@ fn regions(ui: &mut Ui, options: &mut PhotoOptions, last: Option<&Found>) {
     ui.horizontal(|ui| {
         let text = if wanted.regions.is_some() { "" } else { "by number" };
         let radio = ui.radio(wanted.regions.is_some(), text);
-        if radio.on_hover_text("So many columns and rows of regions").clicked() {
+        if radio.on_hover_text("This number of columns and rows").clicked() {
             let found = last.and_then(|found| found.document.as_ref().ok()?.document.regions);
             let found = found.map_or([2, 2], |regions| regions.map(|count| count as usize));
             (wanted.all_marks, wanted.regions) = (false, Some(found));

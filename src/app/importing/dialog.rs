@@ -32,11 +32,11 @@ pub enum PhotoAction {
     Cancel,
 }
 
-/// A photograph that is being made a sketch.
+/// The dialog for a photograph from which a sketch is made.
 pub struct Importing {
-    /// Its file.
+    /// The file of the photograph.
     pub path: PathBuf,
-    /// What is wanted.
+    /// The options that the user has chosen.
     pub options: PhotoOptions,
     known: Known,
     task: Option<(PhotoOptions, Task<News>)>,
@@ -44,7 +44,7 @@ pub struct Importing {
     failed: Option<(PhotoOptions, String)>,
     /// The options with which no thread could be started: it is reported once.
     refused: Option<PhotoOptions>,
-    /// The area of the largest smallest mark that can be chosen, px².
+    /// The largest area that can be chosen for the smallest mark, px².
     largest: f64,
     photo: Option<TextureHandle>,
     overlay: Option<TextureHandle>,
@@ -76,7 +76,7 @@ impl Importing {
         self.path.file_name().unwrap_or_default().to_string_lossy().into_owned()
     }
 
-    /// Whether it is being read, or is to be.
+    /// Whether the photograph is being read, or will be.
     #[must_use]
     pub fn is_reading(&self) -> bool {
         self.task.is_some() || !self.is_known() && self.refused != Some(self.wanted())
@@ -94,7 +94,7 @@ impl Importing {
         self.failed.as_ref().filter(|(options, _)| *options == self.wanted()).map(|(_, why)| why.as_str())
     }
 
-    /// The document and the picture to lie under it, where it can be opened.
+    /// The document, and the picture to show under it, where the document can be opened.
     #[must_use]
     pub fn taken(&self) -> Option<(&ImportedPhoto, &Arc<ColorImage>)> {
         let found = self.found().filter(|found| found.neither.is_none() || self.options.take_it)?;
@@ -107,7 +107,7 @@ impl Importing {
         self.view.corner(corner, self.options.framing.corners)
     }
 
-    /// The options that a reading depends on.
+    /// The options on which a reading depends.
     fn wanted(&self) -> PhotoOptions {
         PhotoOptions { take_it: false, ..self.options }
     }
@@ -116,7 +116,7 @@ impl Importing {
         self.found().is_some() || self.failure().is_some()
     }
 
-    /// Receives what was read, and reads what is wanted beside the window.
+    /// Receives the results of a reading, and starts to read with the chosen options on another thread.
     ///
     /// # Errors
     /// Where no thread can be started.
@@ -129,7 +129,7 @@ impl Importing {
         self.listen(ctx);
         let wanted = self.wanted();
         if let Some((options, task)) = &self.task {
-            // Other limits need no other segmentation: they are shown while a slider is dragged.
+            // Other limits do not need another segmentation, so they are shown while a slider is dragged.
             if part(options) != part(&wanted) {
                 task.cancel();
             }
@@ -251,17 +251,17 @@ impl Importing {
         self.report(ui, ruler);
         ui.add_space(4.0);
         ui.separator();
-        // What was found last stays, paler, while other options are read.
+        // The last result stays, paler, while the photograph is read with other options.
         let last = self.found.as_deref();
         choices::choices(ui, &mut self.options, last, self.largest, ruler);
     }
 
-    /// What was found, or why nothing was.
+    /// The result, or the reason why there is none.
     fn report(&mut self, ui: &mut Ui, ruler: Ruler) {
         let wrong = Palette::current(ui.visuals()).wrong;
         if let Some(why) = self.failure() {
             ui.add(Label::new(RichText::new(why).color(wrong)).wrap().selectable(true));
-            ui.weak("Other marks, another level or another part of it may help.");
+            ui.weak("Another choice of marks, another level or another part of the photograph may help.");
             return;
         }
         let Some(found) = &self.found else {
@@ -286,8 +286,10 @@ impl Importing {
         } else if let Some(why) = neither {
             let text = format!("Neither spots nor stripes: {why}.");
             ui.add(Label::new(RichText::new(text).color(wrong)).wrap().selectable(true));
-            ui.checkbox(&mut self.options.take_it, "Take it anyway")
-                .on_hover_text("Make a sketch of what was found although it is no texture");
+            ui.checkbox(&mut self.options.take_it, "Take it anyway").on_hover_text(
+                "Make a sketch of the marks that were found, although the photograph seems to \
+                                show no pattern of spots or stripes",
+            );
         }
     }
 
@@ -298,7 +300,7 @@ impl Importing {
             return;
         };
         let found = self.found.as_deref();
-        // Marks of other corners are not where they are shown.
+        // Marks that were found with other corners are not at the places where they would be shown.
         let is_placed = found.is_some_and(|found| part(&found.options) == part(&self.options));
         let overlay = self.overlay.as_ref().filter(|_| is_placed && !self.view.is_dragged());
         let overlay = overlay.map(|overlay| (overlay.id(), if self.found().is_some() { 1.0 } else { 0.6 }));

@@ -1,4 +1,4 @@
-//! Reading the photograph beside the window, in steps whose results are kept.
+//! Reads the photograph on another thread, in steps whose results are kept.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -18,14 +18,14 @@ use crate::synth::import::measured_picture::{
 };
 use crate::synth::import::photo::{ImportedPhoto, PhotoOptions, import_read};
 
-/// The longest side of a picture that is shown, px: as of reference pictures.
+/// The longest side of a picture that is shown, px: the same as for reference pictures.
 const LONGEST: usize = 2048;
 
 /// What the job sends.
 pub enum News {
     /// The photograph, and how it is shown.
     Opened(Arc<OpenedPicture>, Arc<ColorImage>),
-    /// Marks and ground.
+    /// Marks and ground are told apart.
     Segmented(Segmented),
     /// All of it: the last message.
     Found(Box<Found>),
@@ -33,7 +33,7 @@ pub enum News {
     Failed(PhotoOptions, String),
 }
 
-/// Marks and ground of a part of the photograph.
+/// A part of the photograph, divided into marks and ground.
 #[derive(Clone)]
 pub struct Segmented {
     /// The part, without limits.
@@ -45,7 +45,7 @@ pub struct Segmented {
 
 /// What was found with some options.
 pub struct Found {
-    /// The options; whether it is taken anyway does not matter.
+    /// The options of this reading; whether the sketch is taken anyway is not part of them.
     pub options: PhotoOptions,
     /// Spots or stripes, and their numbers.
     pub picture: Picture,
@@ -55,7 +55,7 @@ pub struct Found {
     pub level: f32,
     /// The area of the smallest mark, px².
     pub least: f64,
-    /// Why it is no texture.
+    /// Why the photograph shows neither spots nor stripes.
     pub neither: Option<Neither>,
     /// The document, or why there is none.
     pub document: Result<ImportedPhoto, String>,
@@ -65,22 +65,23 @@ pub struct Found {
     pub reference: Arc<ColorImage>,
 }
 
-/// What is known before a job begins.
+/// What is known before a job starts.
 #[derive(Clone, Default)]
 pub struct Known {
     /// The photograph.
     pub opened: Option<Arc<OpenedPicture>>,
-    /// Marks and ground, with the last choices.
+    /// Marks and ground, with the choices of the last reading.
     pub segmented: Option<Segmented>,
 }
 
-/// What the segmentation depends on.
+/// The options on which the segmentation depends.
 #[must_use]
 pub fn part(options: &PhotoOptions) -> Framing {
     Framing { limits: Limits::default(), ..options.framing }
 }
 
-/// Reads the photograph with `options`, as far as it is not known, with this number of threads (`None` = all cores).
+/// Reads the photograph with `options`, except for the steps that are known, with this number of threads (`None` = all
+/// cores).
 ///
 /// # Errors
 /// Where no thread can be started.
@@ -101,7 +102,7 @@ pub fn start(
     })
 }
 
-/// `None` where it was cancelled.
+/// The result; `None` where the job was cancelled.
 fn work(
     path: &Path,
     options: PhotoOptions,
@@ -169,7 +170,7 @@ fn found(
     }
 }
 
-/// A picture to be shown: the mean colours of blocks where it is larger than is shown.
+/// A picture to show: the mean colours of blocks of px, where the photograph is larger than pictures are shown.
 fn reduced(raster: &Raster) -> ColorImage {
     let longest = raster.size[0].max(raster.size[1]).max(1);
     let size = raster.size.map(|side| (side * LONGEST.min(longest) / longest).max(1));

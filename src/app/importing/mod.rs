@@ -1,4 +1,5 @@
-//! A photograph becomes a sketch: the marks that were found are shown over it, a few things can be corrected, then it is opened.
+//! Makes a sketch from a photograph: the marks that were found are shown over the photograph, a few choices can be
+//! corrected, then the sketch is opened.
 //!
 //! ```text
 //!  choices ─▶ job, on a thread: opened ─▶ segmented ─▶ found, and its picture (overlay)

@@ -27,10 +27,10 @@ const DARK: f64 = 0.62;
 const TINT: f64 = 0.12;
 const BEYOND: f64 = 0.6;
 
-/// What a px of the picture shows.
+/// The values at one px of the picture.
 #[derive(Clone, Copy)]
 struct Place {
-    /// The value above the level; NaN beyond the part that was read.
+    /// The value above the level; NaN outside the part that was read.
     above: f32,
     part: Part,
 }
@@ -68,7 +68,7 @@ pub fn overlay(
     ColorImage::new(shown, pixels.collect())
 }
 
-/// What is at a place, px of the part that was read.
+/// The values at a place, px of the part that was read.
 fn look(reading: &Reading, parts: &[Part], at: [f64; 2]) -> Place {
     let field = &reading.segmentation.field;
     let near = |axis: usize, count: usize| {
@@ -87,7 +87,7 @@ fn look(reading: &Reading, parts: &[Part], at: [f64; 2]) -> Place {
     Place { above: value - reading.segmentation.level, part }
 }
 
-/// Means along x (`step` 1) or y (`step` the width), of what was read.
+/// Running means along x (`step` 1) or y (`step` = the width) of the part that was read.
 fn blurred(above: &[f32], [width, height]: [usize; 2], step: usize) -> Vec<f32> {
     let mean = |px: usize| {
         let (place, length) = if step == 1 { (px % width, width) } else { (px / width, height) };
@@ -100,7 +100,7 @@ fn blurred(above: &[f32], [width, height]: [usize; 2], step: usize) -> Vec<f32> 
     (0..above.len()).into_par_iter().with_min_len(width).map(mean).collect()
 }
 
-/// What the px belongs to, or the mark beside it.
+/// The mark to which the px belongs, or the mark beside it.
 fn part_near(places: &[Place], [width, height]: [usize; 2], px: usize) -> Part {
     let (x, y) = (px % width, px / width);
     let beside = |dx: isize, dy: isize| {
@@ -139,12 +139,12 @@ fn colour(places: &[Place], above: &[f32], [width, height]: [usize; 2], px: usiz
     let across = slope(px - usize::from(x > 0), px + usize::from(x + 1 < width));
     let down = slope(px - width * usize::from(y > 0), px + width * usize::from(y + 1 < height));
     let far = f64::from(above[px]) / (across * across + down * down).sqrt().max(1e-6);
-    // A line's share of a px whose middle is so far from the edge.
+    // The share of a px that a line covers, where the middle of the px is this far from the edge.
     let cover = |half: f64| (half + 0.5 - far.abs()).clamp(0.0, 1.0);
     let (line, dark) = (light * cover(widths[0]), DARK * cover(widths[1]));
     let tint = if far > 0.0 { tint } else { 0.0 };
     let [red, green, blue] = LAYERS[layer].map(f64::from);
-    // The line over the dark one over the tint, premultiplied.
+    // The light line over the dark line over the tint, premultiplied.
     let over = |colour: f64| line * colour + (1.0 - line) * (1.0 - dark) * tint * colour;
     let alpha = line + (1.0 - line) * (dark + (1.0 - dark) * tint);
     let [red, green, blue, alpha] =

@@ -9,7 +9,10 @@ use crate::synth::import::photo::PhotoImportError;
 pub fn refused(error: &MeasureError) -> String {
     match error {
         MeasureError::Blank { contrast, .. } => {
-            format!("Marks and ground differ by {contrast:.3} in OKLab: too little to tell them apart.")
+            format!(
+                "The colours of marks and ground are too similar to tell them apart: they differ by \
+                 {contrast:.3} (in OKLab)."
+            )
         }
         MeasureError::Neither { reason, .. } => format!("Neither spots nor stripes: {reason}."),
         other => other.to_string(),
@@ -27,7 +30,8 @@ pub fn no_sketch(error: &PhotoImportError) -> String {
             limits::MAX_SIDE
         ),
         PhotoImportError::NoMarks { .. } => {
-            "No mark is whole: none can be drawn. Use a larger part of the pattern.".to_owned()
+            "The border cuts every mark, so that none can be drawn. Use a larger part of the pattern."
+                .to_owned()
         }
         other => with_causes(other),
     }

@@ -8,7 +8,7 @@ use egui::{
 use crate::app::theme::Palette;
 use crate::photo::Corners;
 
-/// Side of the square that takes the pointer at a corner, points.
+/// Side of the square around a corner in which the pointer picks the corner, points.
 const REACH: f32 = 26.0;
 /// Radius of a corner, points.
 const RADIUS: f32 = 6.5;
@@ -26,7 +26,8 @@ const SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 150);
 pub struct View {
     /// Width and height of the photograph, px.
     pub size: [f64; 2],
-    /// The corner that is dragged, how far from its middle it was taken, and where the corners are meanwhile.
+    /// The corner that is dragged, the distance from its middle at which it was picked, and the present places of the
+    /// corners.
     dragged: Option<(usize, Vec2, Corners)>,
     /// Where the photograph is on the screen.
     place: Option<Rect>,
@@ -56,7 +57,7 @@ impl View {
         place.min + vec2((x / self.size[0]) as f32, (y / self.size[1]) as f32) * place.size()
     }
 
-    /// The place in the photograph, px, with the nearest one where it is beyond its border.
+    /// The place in the photograph, px; outside the photograph, the nearest place on its border.
     fn to_photo(&self, at: Pos2) -> [f64; 2] {
         let place = self.place.unwrap_or(Rect::ZERO);
         let share = (at - place.min) / place.size();
@@ -196,7 +197,7 @@ impl View {
     }
 }
 
-/// Corners with one at another place; as a rectangle its neighbours follow.
+/// The corners after one was moved. As a rectangle, its neighbours move with it.
 fn moved(corners: Corners, index: usize, to: [f64; 2], keeps_rectangle: bool) -> Corners {
     let mut moved = corners;
     moved.0[index] = to;
@@ -210,7 +211,7 @@ fn moved(corners: Corners, index: usize, to: [f64; 2], keeps_rectangle: bool) ->
     moved
 }
 
-/// No side is shorter, px: less shows no marks.
+/// The least length of a side, px: a shorter one shows no marks.
 const SHORTEST: f64 = 16.0;
 
 fn is_large(corners: Corners) -> bool {

@@ -1,10 +1,10 @@
-//! What was found, in words.
+//! Texts about the marks that were found.
 
 use super::job::Found;
 use crate::editor::units::Ruler;
 use crate::measure::Picture;
 
-/// The heading: what, and how many.
+/// The heading: the kind of marks, and how many.
 #[must_use]
 pub fn heading(found: &Found) -> String {
     let many = |count: usize, one: &str, more: &str| {
@@ -26,7 +26,7 @@ pub fn numbers(found: &Found, ruler: Ruler) -> Vec<(&'static str, String)> {
                 rows.push(("Spacing", ruler.length(spacing)));
             }
             rows.push(("Aspect", format!("{:.2}", got.aspect)));
-            // The direction of discs is chance.
+            // The direction of round spots is arbitrary.
             if got.aspect < ROUND {
                 rows.push(("Direction", format!("{:.0}°", got.angle)));
             }
@@ -47,7 +47,7 @@ pub fn numbers(found: &Found, ruler: Ruler) -> Vec<(&'static str, String)> {
     }
 }
 
-/// Spots of this aspect and more have no direction that is seen.
+/// The least aspect at which a spot is so round that its direction cannot be seen.
 const ROUND: f64 = 0.95;
 
 /// The sketch, in words; `None` where there is none.

@@ -76,7 +76,7 @@ fn card(ui: &mut Ui, alternatives: &mut Alternatives, index: usize, actions: &mu
         let one = &mut alternatives.all[index];
         let help = one.failed.clone().unwrap_or_else(|| one.help.clone());
         let name = one.name.clone();
-        // Space for the picture first: the star over it must get clicks before it.
+        // Space for the picture is reserved first, so that the star over it gets clicks before the picture does.
         let (rect, _) = ui.allocate_exact_size(Vec2::splat(SIDE), Sense::hover());
         let response = ui.interact(rect, ui.scope_id().with(("alternative", id)), Sense::click());
         response.widget_info(|| {

@@ -85,15 +85,16 @@ fn overlays(ui: &mut Ui, state: &CanvasState) -> Vec<Action> {
     if state.document.regions.is_some() {
         check(ui, state.overlays.regions, "Region grid", REGIONS, Action::Regions);
     } else {
-        let help = "What the marks of this layer ask for between them: an outline of about each spot, or a piece of each \
-                    stripe. Fainter where directions hardly agree, a cross where they cancel.";
-        check(ui, state.overlays.wanted, "Expected sizes and directions", help, Action::Wanted);
+        let help = "The sizes and directions in the space between the marks of this layer: about one outline \
+                    for each spot, or one piece for each stripe. Outlines are faint where the directions of \
+                    the marks around hardly agree; a cross shows where they cancel each other.";
+        check(ui, state.overlays.wanted, "Sizes and directions between marks", help, Action::Wanted);
     }
-    let help = "Fitted marks with their axes, the edges between neighbours whose mean length is the spacing, and the \
-                mean mark of each region";
+    let help = "How dapple reads the sketch: each mark as an ellipse with its axes, lines between neighbours \
+                (their mean length is the spacing), and the average mark of each region";
     check(ui, state.overlays.analysis, "Analysis of the sketch", help, Action::Analysis);
     if state.document.edges == Edges::Wrap {
-        let help = "To check that no seam is visible";
+        let help = "Shows the texture two by two, to check that no seam is visible";
         check(ui, state.tiled, "Tiles, two by two", help, Action::Tiled);
     }
     let help = "Zooming and panning the sketch does the same to the texture";
@@ -107,7 +108,8 @@ fn overlays(ui: &mut Ui, state: &CanvasState) -> Vec<Action> {
 fn snap(ui: &mut Ui, before: Snap, ruler: Ruler) -> Option<Action> {
     let mut snap = before;
     ui.horizontal(|ui| {
-        let help = "Corners of new ellipses, ends of lines and the centres of moved marks go to the crossings of a grid";
+        let help =
+            "Corners of new ellipses, ends of lines and centres of moved marks snap to the points of a grid";
         ui.checkbox(&mut snap.on, "Snap to grid").on_hover_text(help);
         let field = ruler.field(&mut snap.step).suffix(ruler.unit());
         ui.add_enabled(snap.on, field).accessible_name("Distance of the grid lines");
@@ -144,7 +146,7 @@ fn reference(ui: &mut Ui, state: &CanvasState) -> Vec<Action> {
         }
     });
     let mut locked = reference.locked;
-    let help = "Unlocked, it is moved with the tool Select: drag it, or its corners";
+    let help = "While the picture is not locked, the tool Select moves it: drag the picture, or its corners";
     if ui.checkbox(&mut locked, "Lock").on_hover_text(help).changed() {
         actions.push(Action::LockReference(locked));
     }

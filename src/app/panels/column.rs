@@ -7,7 +7,7 @@ use crate::app::result::Verdict;
 use crate::app::theme::Palette;
 
 /// Shows the tabs, the content of the current one, and `layers` below them. The column keeps its width whatever its
-/// content is. `is_missed`: something did not grow as it was asked, which a sign on *Result* shows.
+/// content is. `is_missed`: something did not grow as it was drawn; a sign on *Result* shows that.
 pub fn column(
     ui: &mut Ui,
     current: Tab,

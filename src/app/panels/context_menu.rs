@@ -8,8 +8,8 @@ use crate::app::action::{Action, WIDER};
 use crate::editor::layer_action::LayerAction;
 use crate::editor::session::Session;
 
-/// Shows the menu at a place of the screen while it is open; `opens`: it opens in this frame. Gives the actions, and whether its
-/// first entry could get the keyboard focus: `None` once it is closed.
+/// Shows the menu at a place of the screen while it is open; `opens`: it opens in this frame. Returns the actions, and
+/// whether its first entry could get the keyboard focus (`None` once the menu is closed).
 pub fn context_menu(ui: &mut Ui, at: Pos2, opens: bool, session: &Session) -> (Vec<Action>, Option<bool>) {
     let mut actions = Vec::new();
     let id = egui::Id::unique("context menu");

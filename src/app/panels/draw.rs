@@ -1,4 +1,5 @@
-//! The tab for drawing: the tool or the selected marks, what will not grow as drawn, what the marks ask for.
+//! The tab for drawing: the tool or the selected marks, notes on what will not grow as drawn, and the attributes that
+//! the marks ask for.
 
 use egui::{RichText, Ui, vec2};
 
@@ -22,18 +23,18 @@ pub struct DrawState<'a> {
     pub session: &'a Session,
     /// The canvas: tool, size of new marks, overlays, reference picture, analysed regions.
     pub canvas: &'a Canvas,
-    /// What became of its marks.
+    /// What has grown of each of its marks.
     pub drawn: Drawn<'a>,
     /// How lengths are shown and typed.
     pub ruler: Ruler,
 }
 
-/// Height that the fields of the tool or of the selected marks take, points: what is below keeps its place when marks are
-/// selected.
+/// Height of the fields for the tool or the selected marks, points. It is constant, so that what is below does not move
+/// when marks are selected.
 const FIELDS: f32 = 214.0;
 
 impl<'a> DrawState<'a> {
-    /// What became of a drawn mark.
+    /// What has grown of a drawn mark.
     fn grown(&self, place: Option<Place>) -> Option<&'a DrawnMark> {
         self.drawn.mark(self.session, place?)
     }
@@ -81,7 +82,7 @@ fn tool(ui: &mut Ui, tool: Tool, nib: Nib, ruler: Ruler) -> Option<Action> {
         presets(ui, &mut new.width, ruler);
     } else if tool == Tool::Ellipse {
         rows(ui, "stamp", |ui| {
-            ui.label("Click adds").on_hover_text("The size of the ellipse that a click adds");
+            ui.label("Click adds").on_hover_text("Radii of the ellipse that a click adds");
             ui.horizontal(|ui| {
                 for (radius, name) in new.radii.iter_mut().zip(["Radius along", "Radius across"]) {
                     ui.add(ruler.field(radius)).accessible_name(name);
@@ -97,7 +98,7 @@ fn tool(ui: &mut Ui, tool: Tool, nib: Nib, ruler: Ruler) -> Option<Action> {
     (new != nib).then_some(Action::Nib(new))
 }
 
-/// What became of the selected mark; `None` where none or several are.
+/// What has grown of the selected mark; `None` where no mark or several marks are selected.
 fn selected_mark<'a>(state: &DrawState<'a>) -> Option<&'a DrawnMark> {
     let mut selected = state.session.selection.places();
     let only = selected.next().filter(|_| selected.next().is_none());

@@ -59,8 +59,8 @@ impl<'a> Entries<'a> {
         }
     }
 
-    /// Moves the keyboard focus by the arrow keys, after all entries; `first`: to the first one. Gives whether that is possible: in
-    /// the frame in which a menu is measured it is not.
+    /// Moves the keyboard focus by the arrow keys, after all entries; `first`: to the first one. Returns whether that
+    /// was possible; it is not in the frame in which egui measures the menu.
     pub fn navigate(self, ui: &Ui, first: bool) -> bool {
         if self.ids.is_empty() || ui.is_sizing_pass() {
             return false;

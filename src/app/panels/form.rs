@@ -4,7 +4,7 @@ use egui::{Button, Grid, Rect, RichText, Ui, vec2};
 
 use crate::editor::units::Ruler;
 
-/// Preset widths of lines, px: evenly over those that grow within seconds.
+/// Preset widths of lines, px: evenly spaced over the widths whose stripes grow within seconds.
 const WIDTHS: [f64; 4] = [4.0, 8.0, 12.0, 16.0];
 
 /// A heading.
@@ -18,7 +18,7 @@ pub fn rows(ui: &mut Ui, id: &str, add: impl FnOnce(&mut Ui)) {
     Grid::new(id).num_columns(2).min_col_width(72.0).spacing(vec2(10.0, 7.0)).show(ui, add);
 }
 
-/// A button for each preset width, drawn that wide. Gives whether one was clicked.
+/// A button for each preset width; the button shows a line of that width. Returns whether one was clicked.
 pub fn presets(ui: &mut Ui, width: &mut f64, ruler: Ruler) -> bool {
     let mut changed = false;
     ui.horizontal(|ui| {

@@ -20,7 +20,7 @@ pub fn growth_bar(
 ) -> Vec<Action> {
     let mut actions = Vec::new();
     let spacing = ui.spacing().item_spacing.x;
-    // The buttons first: the text has what they leave.
+    // The buttons are placed first; the text gets the space that is left.
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         actions.extend(seed(ui, document.seed));
@@ -48,16 +48,17 @@ pub fn growth_bar(
     actions
 }
 
-/// Width beside the buttons from which the title is shown, points: the state of the growth finds room beside it.
+/// Width beside the buttons from which the title is shown, points: from this width on there is also space for the state
+/// of the growth.
 const TITLED: f32 = 150.0;
-/// Width that the words about a finished growth need, points.
+/// Width that the text about a finished growth needs, points.
 const SPELLED_OUT: f32 = 90.0;
 
 fn seed(ui: &mut Ui, mut seed: u64) -> Option<Action> {
     let mut action = None;
     let field = DragValue::new(&mut seed).speed(0.05).update_while_editing(false);
     let field = ui.add(field).accessible_name("Seed");
-    let help = "Number of the random start: the same number gives the same texture";
+    let help = "Number of the random start: with the same number, the same sketch grows the same texture";
     if field.on_hover_text(help).changed() {
         action = Some(Action::Edit(Edit::Seed(seed)));
     }
@@ -94,7 +95,7 @@ fn state(ui: &mut Ui, growth: &Growth) {
     match &growth.state {
         GrowthState::Idle | GrowthState::Failed(_) => {}
         GrowthState::Growing(stage, share) => {
-            // The shares of the progress bar of `dapple grow`.
+            // The stages have the same shares of the bar as in the progress bar of `dapple grow`.
             let (text, from, to) = match stage {
                 Stage::Plan => ("planning", 0.0, 0.05),
                 Stage::Grow => ("growing", 0.05, 0.9),
@@ -123,7 +124,7 @@ fn state(ui: &mut Ui, growth: &Growth) {
     }
 }
 
-/// A text that is cut where it finds no room.
+/// A text that is cut off where there is not enough space.
 fn said(ui: &mut Ui, text: &str) -> Response {
     ui.add(Label::new(RichText::new(text).weak()).truncate())
 }

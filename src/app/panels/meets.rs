@@ -1,4 +1,4 @@
-//! A button with a picture for each way in which a layer meets the layers beneath.
+//! A button with a picture for each place where the marks of a layer can grow, relative to the marks beneath.
 
 use egui::{Button, Color32, Painter, Pos2, Rect, Response, Shape, Stroke, Ui, Vec2, pos2, vec2};
 
@@ -26,23 +26,28 @@ pub fn name(after: After) -> &'static str {
 #[must_use]
 pub fn help(after: After) -> &'static str {
     match after {
-        After::Between => "Its marks keep away from the marks beneath, as the small spots of a cheetah",
+        After::Between => {
+            "Marks grow between the marks of the layers beneath and keep away from them, like the small spots \
+             of a cheetah"
+        }
         After::Around => {
-            "It forms rings around the marks beneath, as the rosettes of a leopard; the drawn lines set their width"
+            "Rings grow around the marks beneath, like the rosettes of a leopard; the drawn lines set their width"
         }
         After::Net => {
-            "It fills the space between the marks beneath with a connected net, as on a giraffe; the drawn lines set its \
-             width"
+            "A connected net grows in the space between the marks beneath, as on a giraffe; the drawn lines \
+             set its width"
         }
-        After::Inside => "A smaller mark grows at each mark of the layer beneath, which itself is not shown",
+        After::Inside => {
+            "A smaller mark grows inside each mark of the layer beneath, which itself is not shown"
+        }
     }
 }
 
-/// The button; disabled where the choice is refused, with the reason in the tooltip.
+/// The button; disabled where the choice is refused. Its tooltip then shows the reason.
 pub fn button(ui: &mut Ui, after: After, chosen: bool, refused: Option<&str>) -> Response {
     ui.add_enabled_ui(refused.is_none(), |ui| {
         let button = Button::new("").selected(chosen).min_size(SIZE);
-        let response = ui.add_sized(SIZE, button).accessible_name(format!("Meets: {}", name(after)));
+        let response = ui.add_sized(SIZE, button).accessible_name(format!("Grows: {}", name(after)));
         let own = if chosen {
             ui.visuals().selection.stroke.color
         } else {

@@ -25,7 +25,7 @@ pub struct MenuState<'a> {
     pub growth: &'a Growth,
     /// What is shown over the sketch.
     pub overlays: Overlays,
-    /// Recovered documents that were neither restored nor discarded yet.
+    /// Recovered documents that are neither restored nor discarded yet.
     pub recovered: usize,
     /// Whether the texture is shown over the sketch.
     pub over: bool,
@@ -83,7 +83,8 @@ pub fn menu(ui: &mut Ui, state: &MenuState, opened: &mut MenuKeys, keys: bool) -
     actions
 }
 
-/// The menu that the pressed keys ask for: Alt and its letter, F10, or the arrows from the one that is `open`.
+/// The menu that the pressed keys ask for: by Alt and its letter, by F10, or by the arrow keys from the menu that is
+/// `open`.
 fn asked(ctx: &Context, open: Option<usize>) -> Option<usize> {
     ctx.input_mut(|input| {
         let letter = MENUS.iter().position(|(_, letter, _)| input.consume_key(Modifiers::ALT, *letter));
@@ -186,13 +187,13 @@ pub(super) fn clipboard(ui: &mut Ui, some: bool, entries: &mut Entries) {
     entries.item(ui, "Delete", &Action::Delete, some);
 }
 
-/// Copies the texture; `can`: it is finished.
+/// The entry that copies the texture; `can`: the texture is finished.
 pub(super) fn copy_picture(ui: &mut Ui, can: bool, entries: &mut Entries) {
     let keys = format!("{}+C", ui.ctx().format_modifiers(Modifiers::COMMAND | Modifiers::SHIFT));
     entries.item_with(ui, "Copy the texture as a picture", &keys, &Action::CopyPicture, can);
 }
 
-/// Copies a link; `can`: there is something in the document.
+/// The entry that copies a link; `can`: the document is not empty.
 pub(super) fn copy_link(ui: &mut Ui, can: bool, entries: &mut Entries) {
     entries.item(ui, "Copy link", &Action::CopyLink, can);
 }
@@ -212,7 +213,7 @@ fn view(ui: &mut Ui, state: &MenuState, entries: &mut Entries) {
     let overlays = state.overlays;
     let free = state.session.document().regions.is_none();
     entries.check(ui, "Region grid", overlays.regions, &Action::Regions(!overlays.regions), !free);
-    let text = "Expected sizes and directions";
+    let text = "Sizes and directions between marks";
     entries.check(ui, text, overlays.wanted, &Action::Wanted(!overlays.wanted), free);
     let analysis = overlays.analysis;
     entries.check(ui, "Analysis of the sketch", analysis, &Action::Analysis(!analysis), true);

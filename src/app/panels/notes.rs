@@ -1,4 +1,4 @@
-//! What will not grow as it was drawn, told while one draws, and what to do about it.
+//! Notes while the user draws: what will not grow as it was drawn, and what to do about it.
 
 use egui::{Button, RichText, Ui};
 
@@ -16,7 +16,7 @@ use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::editor::units::Ruler;
 
-/// Notes about the lines of a layer that are told one by one.
+/// The most notes about the lines of one layer that are shown one by one.
 const MOST: usize = 4;
 
 /// What will not grow as it was drawn, and the remedies that dapple can carry out.
@@ -54,7 +54,7 @@ pub fn notes(ui: &mut Ui, session: &Session, canvas: &Canvas, drawn: &Drawn, rul
         told(ui, &format!("{name}: {}.", note.in_words(&|length| ruler.rough(length))));
     }
     if let Some(more @ 1..) = lines.len().checked_sub(MOST) {
-        told(ui, &format!("{more} more places are like these; signs on the sketch show them."));
+        told(ui, &format!("There are {more} more such places; signs on the sketch show them."));
     }
     actions
 }
@@ -83,8 +83,13 @@ fn dense(ui: &mut Ui, session: &Session, canvas: &Canvas) -> Vec<Action> {
     let mut actions = Vec::new();
     for (layer, kind) in &canvas.analysis.dense {
         let (name, noun) = (session.layer_name(*layer), kind.description().noun);
-        told(ui, &format!("{name}: these marks are denser than spots grow, so this layer grows {noun}."));
-        let help = "Spots of reaction and diffusion, of the drawn size, but farther apart. Can be undone.";
+        told(
+            ui,
+            &format!(
+                "{name}: spots cannot grow as close together as these marks, so this layer grows {noun} instead."
+            ),
+        );
+        let help = "Spots of the drawn size, but farther apart than drawn. Can be undone.";
         let button = Button::new("Grow spots instead");
         if ui.add_enabled(*layer >= session.frozen(), button).on_hover_text(help).clicked() {
             let spots = System::first(|system| !system.is_striped() && system.free_spacing);
@@ -101,8 +106,8 @@ fn cells(ui: &mut Ui, session: &Session, canvas: &Canvas) -> Vec<Action> {
     let mut actions = Vec::new();
     for layer in &canvas.analysis.cells {
         told(ui, &format!("{}: these outlines lie side by side, as cells do.", session.layer_name(*layer)));
-        let help = "Cells of their size all over the canvas, parted by lines as wide as the gaps between them, or as a line \
-             that you draw beside them. Can be undone.";
+        let help = "Cells of this size all over the canvas. The lines between them are as wide as the gaps \
+                    between your outlines, or as a line that you draw. Can be undone.";
         let can = *layer >= session.frozen();
         if ui.add_enabled(can, Button::new("Grow cells")).on_hover_text(help).clicked() {
             let system = SystemChoice::Of(AreaKind::Polygons.description());
@@ -170,7 +175,8 @@ fn missed_of(ui: &mut Ui, session: &Session, drawn: &Drawn, layer: usize) -> Vec
         told(
             ui,
             &format!(
-                "{name}: spots grew together at {places} (signs on sketch and texture). Draw the marks around farther apart \
+                "{name}: spots grew together at {places} (signs on sketch and texture). Draw the marks around \
+                 these places farther apart \
                  or smaller, or try another random start."
             ),
         );

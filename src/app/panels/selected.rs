@@ -89,7 +89,7 @@ fn ellipse(ui: &mut Ui, ruler: Ruler, place: Place, mut ellipse: Ellipse) -> Opt
             ui.weak(ruler.unit().trim_start());
         });
         ui.end_row();
-        ui.label("Direction").on_hover_text("Degrees, from right towards down");
+        ui.label("Direction").on_hover_text("Degrees: 0 is to the right, 90 is down");
         number(ui, "Direction", &mut ellipse.angle, "°");
         ui.end_row();
         ui.label("Aspect").on_hover_text("Minor ÷ major radius; 1 is round. Changing it keeps the area");

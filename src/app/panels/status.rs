@@ -7,8 +7,8 @@ use crate::app::canvas::Canvas;
 use crate::app::exporting::Exporting;
 use crate::editor::units::Ruler;
 
-/// Shows the line. `unfolded`: on a small screen, whether the column on the right is shown: a button unfolds it, and there is no room
-/// for how the tool is used.
+/// Shows the line. `unfolded`: on a small screen, whether the column on the right is shown. There a button unfolds it,
+/// and the help on the tool is left out.
 pub fn status(
     ui: &mut Ui,
     canvas: &Canvas,

@@ -8,8 +8,8 @@ use crate::editor::typed;
 use crate::editor::units::Ruler;
 use crate::marks::Mark;
 
-/// Shows a row for each attribute of the marks in a grid of two columns; `of` stands behind the names for screen readers, such
-/// as ` of all`. A number that is changed gives the marks that replace them.
+/// Shows a row for each attribute of the marks in a grid of two columns; `of` is added to the names that screen readers
+/// read, for example ` of all`. A number that is changed gives the marks that replace them.
 pub fn typed_rows(
     ui: &mut Ui,
     ruler: Ruler,
@@ -18,7 +18,7 @@ pub fn typed_rows(
 ) -> Option<Vec<(Place, Mark)>> {
     let mut changed = None;
     if let Some(before) = typed::area(marks) {
-        ui.label("Mean area").on_hover_text("Scales the marks about their centres");
+        ui.label("Mean area").on_hover_text("Changing it scales the marks about their centres");
         if let Some(area) = area_field(ui, &format!("Mean area{of}"), before, ruler) {
             changed = Some(typed::with_area(marks, area));
         }
@@ -36,8 +36,10 @@ pub fn typed_rows(
         ui.end_row();
     }
     if let Some(mut angle) = typed::direction(marks) {
-        ui.label("Direction")
-            .on_hover_text("Their mean, degrees from right towards down; turns each mark by the same angle");
+        ui.label("Direction").on_hover_text(
+            "Mean direction, degrees: 0 is to the right, 90 is down. Changing it turns all \
+                            marks by the same angle",
+        );
         let field = DragValue::new(&mut angle).speed(0.2).max_decimals(1);
         if ui.add(number_field(field, "°")).accessible_name(format!("Direction{of}")).changed() {
             changed = Some(typed::with_direction(marks, angle));
@@ -62,11 +64,11 @@ pub fn typed_rows(
         ui.end_row();
     }
     if let Some(before) = typed::period(marks) {
-        ui.label("Period").on_hover_text(
+        ui.label("Line spacing").on_hover_text(
             "Mean distance of lines side by side, from the middle of one to the middle of the next. Changing it moves the lines \
              apart or together; their widths stay",
         );
-        if let Some(period) = length_field(ui, &format!("Period{of}"), before, ruler) {
+        if let Some(period) = length_field(ui, &format!("Line spacing{of}"), before, ruler) {
             changed = Some(typed::with_period(marks, period));
         }
         ui.end_row();

@@ -1,4 +1,4 @@
-//! What the marks want: in a region, or at a place between free marks.
+//! The attributes that the marks ask for: in a region, or at a place between free marks.
 
 use egui::{RichText, Ui};
 
@@ -13,19 +13,20 @@ use crate::editor::session::Session;
 use crate::editor::units::Ruler;
 use crate::marks::Mark;
 
-/// What the free marks of the active layer want at the pointer; elsewhere the mean of the marks.
+/// Shows what the free marks of the active layer ask for at the pointer; while the pointer is elsewhere, the mean of
+/// the marks.
 pub fn here(ui: &mut Ui, session: &Session, canvas: &Canvas, ruler: Ruler) {
     let Some(wanted) = canvas.wanted.of(session.active_layer) else { return };
     let size = session.document().size.map(f64::from);
     let on_canvas = |at: &[f64; 2]| (0..2).all(|axis| (0.0..=size[axis]).contains(&at[axis]));
     let at = canvas.pointer.filter(on_canvas);
-    heading(ui, if at.is_some() { "Expected at the pointer" } else { "Expected on average" });
+    heading(ui, if at.is_some() { "Asked for at the pointer" } else { "Asked for on average" });
     let attributes = at.map_or_else(|| wanted.map.mean(), |at| wanted.map.at(at));
     rows(ui, "here", |ui| rows_of(ui, &attributes, ruler));
 }
 
-/// The attributes of the chosen region, else of the one under the pointer, else of the one in the centre. Those of its marks can
-/// be typed; a number that is changed gives the marks that replace them.
+/// Shows the attributes of the chosen region, else of the region under the pointer, else of the region in the centre.
+/// Those of its marks can be typed; a number that is changed gives the marks that replace them.
 pub fn region(ui: &mut Ui, session: &Session, canvas: &Canvas, ruler: Ruler) -> Option<Action> {
     let center = session.document().size.map(|side| 0.5 * f64::from(side));
     let layer = session.active_layer;
@@ -41,8 +42,14 @@ pub fn region(ui: &mut Ui, session: &Session, canvas: &Canvas, ruler: Ruler) -> 
     let mut changed = None;
     let is_own = region.own.is_some();
     rows(ui, "region", |ui| {
-        let count = if is_own { marks.len().to_string() } else { "none: uses the nearest".to_owned() };
-        row(ui, "Marks", count, "Marks whose centre is in this region");
+        let count = if is_own { marks.len().to_string() } else { "none (nearest used)".to_owned() };
+        row(
+            ui,
+            "Marks",
+            count,
+            "Number of marks whose centre is in this region. A region without marks grows like the nearest \
+             region that has some",
+        );
         if is_own && !session.is_active_frozen() {
             changed = typed_rows(ui, ruler, &marks, " of the region");
         } else {
@@ -56,7 +63,7 @@ pub fn region(ui: &mut Ui, session: &Session, canvas: &Canvas, ruler: Ruler) -> 
     changed.map(|marks| Action::Edit(Edit::Marks(marks)))
 }
 
-/// A row for each attribute that is wanted.
+/// A row for each attribute that is asked for.
 fn rows_of(ui: &mut Ui, wanted: &Attributes, ruler: Ruler) {
     match wanted {
         Attributes::Spots(spots) => {
@@ -64,7 +71,7 @@ fn rows_of(ui: &mut Ui, wanted: &Attributes, ruler: Ruler) {
             row(ui, "Aspect", format!("{:.2}", spots.aspect), "Minor ÷ major radius; 1 is round");
             row(ui, "Direction", format!("{:.0}°", spots.angle), "Direction of the major axes");
             let spacing = spots.spacing.map_or("free".to_owned(), |spacing| ruler.rough(spacing));
-            row(ui, "Spacing", spacing, "Distance between neighbours; free: dapple chooses it");
+            row(ui, "Spacing", spacing, "Distance between neighbours. Free: dapple chooses it");
         }
         Attributes::Stripes(stripes) => {
             row(ui, "Width", ruler.length(stripes.width), "Width of the stripes");

@@ -22,7 +22,7 @@ pub const HAS_FOLDERS: bool = false;
 /// Whether the window can be closed by a menu.
 pub const CAN_QUIT: bool = false;
 
-/// Nothing: it is loaded.
+/// No bytes: a browser loads the file when it is needed.
 macro_rules! asset_bytes {
     ($($part:literal),*) => {
         &[]
@@ -30,10 +30,10 @@ macro_rules! asset_bytes {
 }
 pub(crate) use asset_bytes;
 
-/// What a file of the program holds. Waits until it is loaded: not on the page's thread.
+/// The bytes of a file of the program. Blocks until the file is loaded, so it must not run on the page's thread.
 ///
 /// # Errors
-/// It could not be loaded.
+/// Where the file cannot be loaded.
 pub fn asset_read(asset: Asset) -> io::Result<Cow<'static, [u8]>> {
     page::load(&format!("{}/{}.{}", asset.folder, asset.name, asset.ending)).map(Cow::Owned)
 }
@@ -41,7 +41,7 @@ pub fn asset_read(asset: Asset) -> io::Result<Cow<'static, [u8]>> {
 /// The image of a picture of the program; `None` while it is being loaded.
 #[must_use]
 pub fn asset_image(asset: Asset) -> Option<ColorImage> {
-    /// The images that were asked for, those that have arrived with what they show.
+    /// The images that were requested; with the image once it has arrived.
     static ASKED: Mutex<BTreeMap<[&str; 2], Option<ColorImage>>> = Mutex::new(BTreeMap::new());
     let name = [asset.folder, asset.name];
     let asked = || ASKED.lock().unwrap_or_else(PoisonError::into_inner);
@@ -49,7 +49,7 @@ pub fn asset_image(asset: Asset) -> Option<ColorImage> {
         return known.clone();
     }
     asked().insert(name, None);
-    // One that does not arrive stays empty.
+    // The image of a picture that does not arrive stays empty.
     let load = move || {
         if let Ok(image) = asset_read(asset).and_then(|png| decoded(&png)) {
             asked().insert(name, Some(image));
@@ -60,24 +60,24 @@ pub fn asset_image(asset: Asset) -> Option<ColorImage> {
     None
 }
 
-/// Asks for a frame; from any thread.
+/// A function that requests a frame from any thread.
 pub fn waker(_: &Context) -> impl Fn() + Send + Sync + 'static {
     page::wake
 }
 
-/// The folder of the settings and recovery files, which the page keeps.
+/// The folder of the settings and recovery files; the page stores it in the browser.
 #[must_use]
 pub fn settings_folder() -> Option<PathBuf> {
     Some(PathBuf::from(KEPT))
 }
 
-/// The folder in which files are written that the page then takes.
+/// The folder in which files are written before the page offers them to the user.
 #[must_use]
 pub fn folder_of(_: Option<&Path>) -> PathBuf {
     PathBuf::from(page::WRITTEN)
 }
 
-/// There is no file manager.
+/// Does nothing: a browser has no file manager.
 pub fn show_folder(_: &Path) {}
 
 /// Lets the page save what was written: a file as it is, a folder as one archive.
@@ -88,10 +88,10 @@ pub fn hand_over(path: &Path) {
 /// A picture for the clipboard: the file of a PNG.
 pub type Copied = PathBuf;
 
-/// Makes a picture ready for the clipboard; not on the page's thread, which it would keep for long.
+/// Makes a picture ready for the clipboard. This takes long, so it must not run on the page's thread.
 ///
 /// # Errors
-/// It does not fit into memory.
+/// Where the picture does not fit into memory.
 pub fn for_clipboard(picture: ColorImage) -> io::Result<Copied> {
     let file = Path::new(page::WRITTEN).join("copied.png");
     let px: Vec<u8> = picture.pixels.iter().flat_map(|px| px.to_srgba_unmultiplied()).collect();
@@ -101,18 +101,18 @@ pub fn for_clipboard(picture: ColorImage) -> io::Result<Copied> {
     Ok(file)
 }
 
-/// Lets the page put a picture into the clipboard.
+/// Asks the page to put a picture on the clipboard.
 pub fn copy(_: &Context, picture: Copied) {
     page::ask(Request::Copy(picture));
 }
 
-/// What could not be handed over since the last frame, in words.
+/// What could not be handed over to the page since the last frame, as messages.
 #[must_use]
 pub fn not_handed_over() -> Vec<String> {
     page::take_failed()
 }
 
-/// How a file or folder is called in messages: its folder means nothing to the user.
+/// The name of a file or folder in messages, without its folder, which means nothing to the user of a browser.
 #[must_use]
 pub fn shown(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
@@ -124,7 +124,7 @@ pub fn dropped(_: &Ui) -> Vec<PathBuf> {
     page::take_dropped()
 }
 
-/// The page has a dialog that chooses a file to read, and none that says where to write.
+/// Whether the system has a dialog to write (`true`) or to read a file: a page has one to read only.
 #[must_use]
 pub fn has_dialog_to(write: bool) -> bool {
     !write

@@ -1,4 +1,4 @@
-//! A desktop: its own window, folders, dialogs of the system.
+//! A desktop: the window is its own, and folders and dialogs are those of the system.
 
 mod dialog;
 
@@ -23,7 +23,7 @@ pub const CAN_QUIT: bool = true;
 /// Delay of the frame that shows what a thread has sent.
 const SOON: Duration = Duration::from_millis(1);
 
-/// What the file with this path, given in parts, holds.
+/// The bytes of the file with this path, which is given in parts.
 macro_rules! asset_bytes {
     ($($part:literal),*) => {
         include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/", $($part),*))
@@ -31,10 +31,11 @@ macro_rules! asset_bytes {
 }
 pub(crate) use asset_bytes;
 
-/// What a file of the program holds.
+/// The bytes of a file of the program.
 ///
 /// # Errors
-/// None: it is in the program.
+///
+/// None: the bytes are part of the program.
 pub fn asset_read(asset: Asset) -> io::Result<Cow<'static, [u8]>> {
     Ok(asset.bytes.into())
 }
@@ -42,7 +43,7 @@ pub fn asset_read(asset: Asset) -> io::Result<Cow<'static, [u8]>> {
 /// The image of a picture of the program.
 #[must_use]
 pub fn asset_image(asset: Asset) -> Option<ColorImage> {
-    // A test decodes them all.
+    // Decoding cannot fail: a test decodes all of them.
     Some(
         asset_read(asset)
             .and_then(|png| decoded(&png))
@@ -50,10 +51,10 @@ pub fn asset_image(asset: Asset) -> Option<ColorImage> {
     )
 }
 
-/// Asks for a frame; from any thread.
+/// A function that requests a frame from any thread.
 pub fn waker(ctx: &Context) -> impl Fn() + Send + Sync + 'static {
     let ctx = ctx.clone();
-    // For a request without a delay egui shows two frames.
+    // egui shows two frames for a request without a delay.
     move || ctx.request_repaint_after(SOON)
 }
 
@@ -61,11 +62,11 @@ pub fn waker(ctx: &Context) -> impl Fn() + Send + Sync + 'static {
 #[must_use]
 pub fn settings_folder() -> Option<PathBuf> {
     let base = BaseDirs::new()?;
-    // On Windows the roaming folder: settings follow the user.
+    // On Windows this is the roaming folder, so that the settings follow the user to other machines.
     Some(base.data_dir().join("dapple"))
 }
 
-/// The folder in which a dialog begins, where something lies or would be written `at`.
+/// The folder in which a dialog begins, where a file lies or would be written `at`.
 #[must_use]
 pub fn folder_of(at: Option<&Path>) -> PathBuf {
     let folder = at.and_then(Path::parent).map(Path::to_owned);
@@ -78,10 +79,10 @@ pub fn show_folder(place: &Path) {
     let _ = open::that_detached(folder);
 }
 
-/// What was written lies where the user wants it.
+/// Does nothing: the file lies where the user wants it.
 pub fn hand_over(_: &Path) {}
 
-/// Nothing: it lies there.
+/// Nothing: on a desktop files are written directly.
 #[must_use]
 pub fn not_handed_over() -> Vec<String> {
     Vec::new()
@@ -103,7 +104,7 @@ pub fn copy(ctx: &Context, picture: Copied) {
     ctx.copy_image(picture);
 }
 
-/// How a file or folder is called in messages.
+/// The name of a file or folder in messages.
 #[must_use]
 pub fn shown(path: &Path) -> String {
     path.display().to_string()

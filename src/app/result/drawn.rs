@@ -1,4 +1,4 @@
-//! What became of the drawn marks of the sketch as it is.
+//! What has grown of each drawn mark of the present sketch.
 
 use super::{LayerResult, Outcome, finished_layer};
 use crate::app::growth::Growth;
@@ -6,8 +6,8 @@ use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::synth::report::DrawnMark;
 
-/// What became of the drawn marks of a sketch, by layer of its finished document: all once it was measured, and while it
-/// grows those that find no room.
+/// What has grown of the drawn marks of a sketch, by layer of the document that is grown: while the texture grows, only
+/// the marks for which there is no room; once it is measured, all.
 #[derive(Clone, Debug, Default)]
 pub struct Drawn<'a> {
     marks: Vec<&'a [DrawnMark]>,
@@ -40,7 +40,7 @@ impl<'a> Drawn<'a> {
         layer.map_or(&[], |layer| &layer.merged)
     }
 
-    /// One mark; `None` where it was not to be among those that grow.
+    /// What has grown of one mark; `None` where the mark itself is not part of the texture.
     #[must_use]
     pub fn mark(&self, session: &Session, place: Place) -> Option<&'a DrawnMark> {
         self.of_layer(session, place.layer).iter().find(|mark| mark.mark == place.stroke)

@@ -1,4 +1,5 @@
-//! What was asked for and what has grown, computed in the background: the numbers of `dapple grow --report`.
+//! Compares the attributes that were asked for with those that have grown, on another thread: the numbers of `dapple
+//! grow --report`.
 
 mod drawn;
 mod reach;
@@ -27,7 +28,8 @@ pub struct RegionResult {
     pub report: RegionReport,
     /// How well it meets what was asked for.
     pub verdict: Verdict,
-    /// How the sketch can be changed so that it can be reached; `None` where it can, or where none was found.
+    /// A change of the sketch after which the region can be reached; `None` where it can be reached already, or where
+    /// no change was found.
     pub reach: Option<Reach>,
 }
 
@@ -38,18 +40,18 @@ pub struct LayerResult {
     pub name: String,
     /// Its system.
     pub system: &'static Description,
-    /// The system that its training rows belong to; `None` of pairs and patches.
+    /// The system to which its training rows belong; `None` for pairs and patches.
     pub trained: Option<System>,
-    /// Its regions, row by row; none of a weave.
+    /// Its regions, row by row; none for a weave.
     pub regions: Vec<RegionResult>,
-    /// The growth, of a layer of Turing's growth.
+    /// The growth parameter, for a layer of Turing's growth.
     pub growth: Option<GrowthReport>,
     /// The threads of each direction of a weave.
     pub threads: Vec<ThreadReport>,
     /// What the user should know; regions have notes of their own.
     pub notes: Vec<String>,
-    /// What became of each drawn mark, in the order in which they were drawn; empty where none was to be among those that
-    /// grow.
+    /// What has grown of each drawn mark, in the order in which they were drawn; empty where the marks themselves are
+    /// not part of the texture.
     pub drawn: Vec<DrawnMark>,
     /// Where two spots grew together, px.
     pub merged: Vec<[f64; 2]>,
@@ -70,7 +72,7 @@ pub struct Outcome {
     pub grown: Arc<Grown>,
     /// Its layers, the lowest first.
     pub layers: Vec<LayerResult>,
-    /// Whether all replacements of unreachable regions were computed.
+    /// Whether the search for changes of the unreachable regions has ended.
     pub complete: bool,
 }
 
@@ -93,19 +95,19 @@ enum News {
         region: usize,
         reach: Reach,
     },
-    /// Whether the changes of all unreachable regions were sought.
+    /// Whether changes were sought for all unreachable regions.
     End {
         complete: bool,
     },
 }
 
-/// The computation under way; without a task, no thread could be started.
+/// A computation that is running; without a task where no thread could be started.
 struct Job {
     grown: Arc<Grown>,
     task: Option<Task<News>>,
 }
 
-/// The latest result and the one that is computed.
+/// The latest result, and the one that is being computed.
 #[derive(Default)]
 pub struct Results {
     /// The training sets, read when first needed.
@@ -115,9 +117,9 @@ pub struct Results {
 }
 
 impl Results {
-    /// Receives results and starts to compute those of a new texture; never waits. The changes after which unreachable
-    /// regions can be reached take longer and are computed where `all` is asked for. Returns an error once where no thread
-    /// can be started.
+    /// Receives results and starts to compute those of a new texture; never blocks. The changes after which unreachable
+    /// regions can be reached take longer; they are computed only where `all` is true. Returns an error once where no
+    /// thread can be started.
     pub fn follow(&mut self, tasks: &Tasks, texture: Option<&Texture>, all: bool) -> Option<StartError> {
         while let Some(news) = self.job.as_mut().and_then(|job| job.task.as_mut()?.poll()) {
             self.take(news);
@@ -168,14 +170,14 @@ impl Results {
         }
     }
 
-    /// Whether a texture is being measured, or changes of the sketch are sought.
+    /// Whether a texture is being measured, or changes of the sketch are being sought.
     #[must_use]
     pub fn is_busy(&self) -> bool {
         let task = self.job.as_ref().and_then(|job| job.task.as_ref());
         task.is_some_and(|task| !task.has_ended())
     }
 
-    /// Another document is open.
+    /// Removes the results, because another document was opened.
     pub fn forget(&mut self) {
         *self = Self { training: Arc::clone(&self.training), ..Self::default() };
     }
@@ -214,7 +216,7 @@ fn result_of(layer: &GrownLayer, report: LayerReport) -> LayerResult {
     let LayerReport { name, regions, growth, threads, notes, note_on_drawn, blotches, drawn, merged, .. } =
         report;
     let result = |report| RegionResult { verdict: Verdict::for_region(&report), report, reach: None };
-    // The drawn marks are listed by themselves.
+    // The drawn marks are listed separately.
     let mut notes: Vec<String> =
         notes.into_iter().filter(|note| Some(note) != note_on_drawn.as_ref()).collect();
     if let Some(WidthReport { asked, got: Some(got) }) = blotches {

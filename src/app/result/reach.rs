@@ -1,4 +1,4 @@
-//! For a region that cannot be reached: the nearest that can, as a change of the sketch.
+//! Changes of the sketch of a region that cannot be grown, to the most similar one that can.
 
 mod described;
 mod sketch;
@@ -12,11 +12,12 @@ use crate::synth::marks::plan::{Lookup, Targets};
 use described::described;
 use sketch::{Farther, Sketch};
 
-/// Number of attempts, each farther beyond the limit than the one before.
+/// Number of attempts; each goes farther beyond the limit than the one before.
 const TRIES: i32 = 10;
-/// How much farther each attempt goes, as a share of the change.
+/// How much farther each attempt goes, as a share of the whole change.
 const FARTHER: f64 = 0.15;
-/// How much farther apart than the nearest that can be reached each attempt moves marks that are too near, as a share.
+/// For marks that are too close: how much farther apart each attempt moves them, as a share of the least possible
+/// distance.
 const APART: f64 = 0.01;
 
 /// A change of the sketch after which a region can be reached.
@@ -72,7 +73,7 @@ fn asked_in(plan: &Lookup, place: [usize; 2]) -> Attributes {
     plan.map.at(plan.map.layout().center(place))
 }
 
-/// The region whose marks set the attributes of region `index`: itself, else the nearest one that has marks.
+/// The region whose marks set the attributes of region `index`: the region itself, or the nearest one with marks.
 fn source(map: &AttributeMap, index: usize) -> Option<[usize; 2]> {
     let layout = map.layout();
     let holds = |index: usize| map.region(layout.place(index)).own.is_some();

@@ -1,4 +1,4 @@
-//! How well what has grown meets what was asked for: signs that differ in shape, word and colour.
+//! How well the grown texture reaches what was asked for: signs that differ in shape, word and colour.
 
 use egui::{Color32, Painter, Rect, Shape, Stroke, pos2, vec2};
 
@@ -6,21 +6,22 @@ use crate::app::theme::Palette;
 use crate::attributes::Attribute;
 use crate::synth::report::RegionReport;
 
-/// How well a value is met, the best first.
+/// How well a value is reached, the best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verdict {
-    /// Within the tolerance that the eye does not notice.
+    /// Within the tolerance that cannot be seen.
     Met,
     /// Nothing was measured.
     Unknown,
     /// Slightly off.
     Near,
-    /// Clearly off, or out of reach of the system.
+    /// Clearly off, or beyond what the system can grow.
     Missed,
 }
 
-/// The largest errors of an attribute that count as met, and as near: shares; for aspect the difference, for angle
-/// degrees. 5 % is the limit of the error tables; three times that is clearly visible beside the drawn mark.
+/// The largest errors of an attribute that count as reached, and as close. They are relative, except for the aspect (a
+/// difference) and the angle (degrees). 5 % is the limit of the error tables; three times that is clearly visible
+/// beside the drawn mark.
 fn allowed(attribute: Attribute) -> Option<[f64; 2]> {
     match attribute {
         Attribute::Area | Attribute::Spacing | Attribute::Width | Attribute::Wavelength => Some([0.05, 0.15]),
@@ -31,7 +32,7 @@ fn allowed(attribute: Attribute) -> Option<[f64; 2]> {
 }
 
 impl Verdict {
-    /// For the error of an attribute; `None` for attributes that are not judged.
+    /// The verdict on the error of an attribute; `None` for attributes that are not judged.
     #[must_use]
     pub fn for_error(attribute: Attribute, error: f64) -> Option<Self> {
         let [met, near] = allowed(attribute)?;
@@ -42,7 +43,7 @@ impl Verdict {
         })
     }
 
-    /// For a region: that of its worst attribute.
+    /// The verdict on a region: that on its worst attribute.
     #[must_use]
     pub fn for_region(report: &RegionReport) -> Self {
         if !report.beyond.is_empty() {
@@ -72,7 +73,7 @@ impl Verdict {
             }
             Self::Unknown => "Not measured: no whole mark grew here",
             Self::Near => "Close: area, spacing or width off by up to 15 %, aspect by 0.12, direction by 15°",
-            Self::Missed => "Missed: off by more than 15 %, 0.12 or 15°, or not possible with this system",
+            Self::Missed => "Missed: off by more (over 15 %, 0.12 or 15°), or not possible with this system",
         }
     }
 
@@ -85,7 +86,8 @@ impl Verdict {
         }
     }
 
-    /// Paints it into a square: a disc with a tick, a diamond with a wave, a triangle with an exclamation mark, a ring.
+    /// Paints the sign into a square: a disc with a tick, a diamond with a wave, a triangle with an exclamation mark, a
+    /// ring.
     pub fn paint(self, painter: &Painter, rect: Rect, palette: &Palette) {
         let unit = rect.width() / 16.0;
         let at = |[x, y]: [f32; 2]| rect.min + vec2(x, y) * unit;
@@ -117,7 +119,7 @@ impl Verdict {
         }
     }
 
-    /// The square of side `side` whose right upper corner is `inset` from that of `region`.
+    /// The square of side `side` whose upper right corner is `inset` from that of `region`.
     #[must_use]
     pub fn corner(region: Rect, side: f32, inset: f32) -> Rect {
         Rect::from_min_size(pos2(region.right() - inset - side, region.top() + inset), vec2(side, side))

@@ -30,7 +30,7 @@ pub fn write(choices: &Choices, entries: &mut Entries) {
     entries.set("export_film", &SavedFilm::new(&choices.film), &SavedFilm::new(&default.film));
 }
 
-/// Reads the choices; what is missing or makes no sense is as by default, numbers are limited to their ranges.
+/// Reads the choices. Missing and invalid values get their defaults; numbers are limited to their ranges.
 pub fn read(entries: &Entries) -> Choices {
     let default = Choices::default();
     let SavedFilm { kind, clip } = entries.fields("export_film", &SavedFilm::new(&default.film));

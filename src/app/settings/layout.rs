@@ -37,7 +37,7 @@ pub struct Layout {
     pub regions: bool,
     /// Whether the analysis of the sketch is shown.
     pub analysis: bool,
-    /// Whether the sizes and directions that free marks want between them are shown.
+    /// Whether the sizes and directions that free marks ask for in the space between them are shown.
     pub wanted: bool,
     /// The grid that marks snap to.
     pub snap: Snap,
@@ -65,7 +65,7 @@ impl Default for Layout {
 }
 
 impl Layout {
-    /// Takes the values from the settings; what is missing or out of range gets its default.
+    /// Takes the values from the settings; values that are missing or out of range get their defaults.
     pub fn take_in(&mut self, entries: &Entries) {
         let default = Self::default();
         let is = |name: &str, default: bool| entries.get(name).unwrap_or(default);
@@ -97,7 +97,7 @@ impl Layout {
     /// Writes the values that differ from the defaults.
     pub fn write(&self, entries: &mut Entries) {
         let default = Self::default();
-        // Whole points and thousandths: what a window manager rounds is no change.
+        // Whole points and thousandths, so that a window manager's rounding does not count as a change.
         let rounded = |pair: [f32; 2]| pair.map(f32::round);
         entries.set("position", &self.position.map(rounded), &None);
         entries.set("size", &self.size.map(rounded), &None);

@@ -64,7 +64,7 @@ fn two_windows_do_not_overwrite_what_the_other_one_changed() {
     let now = Settings::read(&file);
     assert_eq!(now.recent, [Path::new("/two"), Path::new("/more"), Path::new("/one")]);
     assert_eq!((now.theme, now.units), (ThemePreference::Dark, Units::Mm));
-    // What one forgets is forgotten, and what it never touched stays as the other one left it.
+    // What one window removes from the list stays removed, and what it never changed stays as the other window left it.
     one.forget();
     one.write();
     let now = Settings::read(&file);
@@ -106,7 +106,7 @@ fn many_windows_at_once_lose_nothing() {
 }
 
 #[test]
-fn what_a_newer_version_remembers_stays() {
+fn settings_of_a_newer_version_are_kept() {
     let (_folder, file) = somewhere();
     fs::create_dir_all(file.parent().unwrap()).unwrap();
     fs::write(&file, r#"{"brush": ["soft", "hard"], "theme": "light"}"#).unwrap();
@@ -130,7 +130,7 @@ fn a_damaged_file_is_renamed_and_reported() {
 }
 
 #[test]
-fn values_that_make_no_sense_get_their_default() {
+fn invalid_values_get_their_default() {
     let (_folder, file) = somewhere();
     fs::create_dir_all(file.parent().unwrap()).unwrap();
     let json = r#"{"threads": -1, "new": {"size": [1, 1]}, "size": [0, 9], "position": ["a"], "curtain": 7,

@@ -1,4 +1,4 @@
-//! The system's clipboard: marks as text, SVG and links in, pictures in and out.
+//! The system's clipboard: text, SVG, links and pictures are pasted; marks, links and the texture are copied.
 
 use std::io;
 use std::sync::Arc;
@@ -18,23 +18,23 @@ use crate::synth::render::painting::Painting;
 /// The size of a picture, px, and what is copied of it.
 type Painted = ([usize; 2], io::Result<Copied>);
 
-/// Pictures and drawings on their way from or to the clipboard.
+/// Pictures and drawings that are being copied or pasted.
 #[derive(Default)]
 pub struct Clipboard {
     /// The texture that is being painted, to be copied.
     painting: Option<Task<Painted>>,
-    /// A pasted SVG that is being read, and where its marks go, px.
+    /// A pasted SVG that is being read, and the place for its marks, px.
     drawing: Option<(ReadingSvg, Option<[f64; 2]>)>,
 }
 
 impl Clipboard {
-    /// Whether something is on its way.
+    /// Whether a picture or drawing is being copied or pasted.
     #[must_use]
     pub fn is_busy(&self) -> bool {
         self.painting.is_some() || self.drawing.is_some()
     }
 
-    /// Another document is open: what is being read was not for it.
+    /// Another document is open: an SVG that is still being read was not meant for it.
     pub fn document_opened(&mut self) {
         self.drawing = None;
     }
@@ -48,7 +48,7 @@ impl Window {
         }
     }
 
-    /// Copies the settled texture as a picture. It is painted beside the window.
+    /// Copies the settled texture as a picture. It is painted on another thread.
     pub(super) fn copy_picture(&mut self) {
         let Some(texture) = self.growth.texture.clone() else {
             self.notices.done("There is no finished texture to copy yet.");
@@ -142,7 +142,7 @@ impl Window {
         self.use_select();
         let many = if marks == 1 { "mark" } else { "marks" };
         let text = format!("Pasted {marks} {many} from an SVG{unread}.");
-        // What was left out stays until the user has put the notice away.
+        // A message about parts that were left out stays until the user closes it.
         if unread.is_empty() { self.notices.done(text) } else { self.notices.wrong(text) }
     }
 }

@@ -33,8 +33,8 @@ impl Window {
         *column = shown;
     }
 
-    /// Keeps the place of the column on the right, whose content is shown after sketch and texture: so the Tab key goes from
-    /// left to right. Its width is the one in the settings, until the user drags its edge.
+    /// Reserves the place of the column on the right. Its content is shown after sketch and texture, so that the Tab
+    /// key goes from left to right. The width is the one in the settings, until the user drags its edge.
     pub(super) fn column_place(&mut self, ui: &mut Ui) -> Option<Rect> {
         if !self.shows_column(ui.ctx()) {
             return None;
@@ -54,7 +54,7 @@ impl Window {
 
     /// The content of the column at its place.
     pub(super) fn column(&mut self, ui: &mut Ui, place: Rect) -> Vec<Action> {
-        // A part of its own: content that is too wide is cut off instead of widening the column.
+        // A separate area: content that is too wide is cut off, and does not widen the column.
         let mut inside = ui.new_child(UiBuilder::new().max_rect(place).id_salt("column"));
         inside.shrink_clip_rect(place.expand(2.0));
         self.column_content(&mut inside)
@@ -92,7 +92,7 @@ impl Window {
     }
 }
 
-/// What became of the drawn marks; nothing where the sketch has changed since it was grown.
+/// What has grown of the drawn marks; nothing where the sketch has changed since it was grown.
 pub(super) fn drawn<'a>(results: &'a Results, growth: &'a Growth, is_current: bool) -> Drawn<'a> {
     if is_current {
         Drawn::new(results.for_texture(growth.texture.as_ref()), growth)

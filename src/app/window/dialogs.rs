@@ -13,7 +13,7 @@ impl Window {
     /// Pages over the window.
     pub(super) fn over_all(&mut self, ui: &mut Ui) -> Vec<Action> {
         let mut actions = Vec::new();
-        // The key that closes a file dialog is no answer to the dialog behind it.
+        // The key that closes a file dialog must not answer the dialog behind it.
         let choosing = self.files.chooser.is_some();
         self.choosing(ui);
         self.asking(ui);
@@ -113,7 +113,8 @@ impl Window {
         } else {
             files.new.is_some().then_some("new document")
         };
-        // Enter that ends the input of a number is no answer yet, nor is one that was pressed before the question was seen.
+        // Enter must not answer the question where it ends the typing of a number, or where it was pressed before the
+        // question appeared.
         let is_seen = std::mem::replace(&mut files.asked, question) == question;
         let enter = is_seen && enter(ui) && ui.memory(|memory| memory.focused().is_none());
         let Some(question) = question else { return };
@@ -164,7 +165,7 @@ impl Window {
     }
 }
 
-/// Whether Enter was pressed, not held since before.
+/// Whether Enter was pressed in this frame, and not held since an earlier one.
 fn enter(ui: &Ui) -> bool {
     let is_enter =
         |event: &Event| matches!(event, Event::Key { key: Key::Enter, pressed: true, repeat: false, .. });

@@ -159,7 +159,7 @@ impl Window {
         }
     }
 
-    /// Replaces a region's marks by the nearest ones that can be grown.
+    /// Replaces the marks of a region by the most similar ones that can be grown.
     fn draw_what_can_be_reached(&mut self, layer: usize, place: [usize; 2]) {
         let outcome = self.results.for_texture(self.growth.texture.as_ref());
         let regions = outcome.and_then(|outcome| outcome.layers.get(layer)).map(|layer| &layer.regions);
@@ -203,7 +203,7 @@ impl Window {
         }
     }
 
-    /// Opens an alternative; it has grown already.
+    /// Opens an alternative, which has grown already.
     fn take_alternative(&mut self, id: u64) {
         let Some(one) = self.alternatives.get(id) else { return };
         if let Some(grown) = &one.grown {
@@ -225,7 +225,7 @@ impl Window {
     /// Closes the window.
     pub(super) fn close(&mut self, ui: &Ui) {
         self.files.closing = true;
-        // The document is saved, or the user chose not to.
+        // No question here: the document is saved, or the user chose not to save it.
         self.recovery.stop();
         ui.send_viewport_cmd(ViewportCommand::Close);
     }

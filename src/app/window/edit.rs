@@ -49,7 +49,7 @@ impl Window {
         }
     }
 
-    /// Goes back to the tool from before, once nothing is selected any more.
+    /// Returns to the earlier tool, once nothing is selected any more.
     pub(super) fn use_tool_before(&mut self) {
         if self.session.selection.is_empty()
             && let Some(tool) = self.tool_before.take()
@@ -63,8 +63,8 @@ impl Window {
         self.use_tool_before();
     }
 
-    /// Changes the width of the selected lines and the size of the selected ellipses; where nothing is selected, those of new
-    /// marks.
+    /// Changes the width of the selected lines and the size of the selected ellipses; where nothing is selected, the
+    /// size of new marks.
     pub(super) fn widen(&mut self, factor: f64) {
         let nib = &mut self.canvas.nib;
         if !self.session.selection.is_empty() {
@@ -86,7 +86,7 @@ impl Window {
         }
     }
 
-    /// Whether marks can be added to the active layer; else says why not.
+    /// Whether marks can be added to the active layer; where they cannot, shows why.
     pub(super) fn can_add(&mut self) -> bool {
         let is_frozen = self.session.is_active_frozen();
         if is_frozen {
@@ -113,7 +113,7 @@ impl Window {
         self.use_select();
     }
 
-    /// Puts something on an empty canvas, to begin with.
+    /// Puts the marks or the layer that the user chose to begin with on an empty canvas.
     pub(super) fn begin_with(&mut self, beginning: Beginning) {
         let size = self.session.document().size;
         match beginning {

@@ -1,4 +1,4 @@
-//! Opens examples. They are read beside the window: a browser has to load them first.
+//! Opens examples. They are read on another thread, because a browser has to load them first.
 
 use egui::Ui;
 
@@ -13,7 +13,7 @@ use crate::editor::session::Session;
 use crate::editor::task::{Task, Worker};
 use crate::machine::clock::Instant;
 
-/// A wait that is said in words, seconds.
+/// A longer wait is reported to the user, seconds.
 const LONG: f64 = 0.3;
 
 /// An example that is being read.
@@ -23,18 +23,18 @@ pub struct ReadingExample {
     began: Instant,
     /// The session's revision at that time.
     revision: u64,
-    /// Whether the wait was said.
+    /// Whether the wait was reported.
     told: bool,
 }
 
 impl Window {
-    /// Reads an example, and opens it then.
+    /// Reads an example, and opens it once it is read.
     pub(super) fn open_example(&mut self, ui: &Ui, name: &str) {
         let Some(example) = examples::named(name) else { return };
         let work = move |worker: &Worker<_>| worker.send(read(example.document));
         match self.tasks.start("reading an example", work) {
             Ok(task) => {
-                // It would lie over what is said.
+                // The page of examples would cover the message.
                 self.page = None;
                 let (began, revision) = (Instant::now(), self.session.revision());
                 self.files.example = Some(ReadingExample { example, task, began, revision, told: false });
@@ -61,7 +61,7 @@ impl Window {
                     .wrong("Reading the example failed because of an error in dapple. Please report it.");
             }
             Some(Err(why)) => self.notices.wrong(why),
-            // Something was drawn in the meantime.
+            // The user has drawn something in the meantime.
             Some(Ok(_)) if reading.revision != self.session.revision() && self.has_unsaved() => {
                 self.files.unsaved = Some(Action::Example(reading.example.name));
             }

@@ -133,7 +133,7 @@ impl Window {
         self.exporting = Some(Exporting::new(path, request, made, grown, self.settings.threads, &self.tasks));
     }
 
-    /// Sets the document that a film ends with.
+    /// Sets the document with which a film ends.
     pub(super) fn become_chosen(&mut self, path: PathBuf) {
         if let Some(dialog) = &mut self.files.export {
             dialog.choices.film.to = Some(path);

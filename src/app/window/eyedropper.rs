@@ -8,11 +8,11 @@ use crate::app::action::{Action, Tab};
 use crate::app::panels;
 use crate::app::theme::Palette;
 
-/// From the pointer to the sample of the colour under it, points.
+/// The vector from the pointer to the sample of the colour under it, points.
 const OFFSET: egui::Vec2 = vec2(22.0, 22.0);
 
 impl Window {
-    /// While a colour is being taken: shows the one under the pointer, and takes it on a click.
+    /// While the user picks a colour: shows the colour under the pointer, and takes it on a click.
     pub(super) fn eyedropper(&mut self, ui: &mut Ui, places: &Places) -> Option<Action> {
         self.colour.picking &= self.tab == Tab::Colour && self.shows_column(ui.ctx());
         if !self.colour.picking {
@@ -42,7 +42,7 @@ impl Window {
         Some(panels::picked(&self.session, &mut self.colour, colour))
     }
 
-    /// The colour that is shown at a position on the screen, of the reference picture or of the texture.
+    /// The colour at a position on the screen, of the reference picture or of the texture.
     fn colour_at(&self, places: &Places, at: Pos2) -> Option<[u8; 3]> {
         let size = self.session.document().size;
         let [left, right] = places.rooms;
@@ -57,7 +57,8 @@ impl Window {
         }
     }
 
-    /// The colour of the texture at a point of the canvas, px; beyond its edge that of the tile there. `None` where it is transparent.
+    /// The colour of the texture at a point of the canvas, px; outside the canvas, the colour of the tile that is shown
+    /// there. `None` where the texture is transparent.
     fn texture_colour(&self, at: [f64; 2]) -> Option<[u8; 3]> {
         let picture = self.growth.picture.as_ref()?;
         let canvas = picture.canvas.map(f64::from);

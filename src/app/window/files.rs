@@ -35,7 +35,7 @@ pub struct Files {
     pub(super) asked: Option<&'static str>,
     /// The action that waits for the end of a save.
     pub(super) after_saving: Option<Action>,
-    /// The file that is being read, and the session's revision when that began.
+    /// The file that is being read, and the revision of the session when the reading began.
     reading: Option<(u64, Reading)>,
     inspecting: Option<Inspecting>,
     /// The example that is being read.
@@ -46,17 +46,17 @@ pub struct Files {
     pub(super) picture: Option<ReadingPicture>,
     /// The photograph that is being made a sketch.
     pub(super) photo: Option<Importing>,
-    /// Dropped pictures that are to be asked about.
+    /// Dropped pictures about whose use the user will be asked.
     pub(super) dropped: VecDeque<PathBuf>,
-    /// A document whose link is too long, or that has none: the file is offered instead.
+    /// A document whose link is too long, or for which there is no link: a file is offered instead.
     pub(super) unlinked: Option<Unlinked>,
     /// What is being asked about an export.
     pub(super) export: Option<Dialog>,
     /// The dialog of the export that is being written: it opens again where that fails.
     pub(super) exporting: Option<Dialog>,
-    /// When the export was cancelled that is still ending.
+    /// The time at which an export was cancelled that has not ended yet.
     pub(super) cancelled: Option<Instant>,
-    /// Where the open document was exported to last.
+    /// Where the open document was last exported to.
     pub(super) exported: Option<PathBuf>,
     /// How large the picture was from which the document was restored.
     pub(super) restored: Option<Size>,
@@ -65,7 +65,7 @@ pub struct Files {
 }
 
 impl Files {
-    /// `native`: files are chosen with the system's dialogs.
+    /// The state at the start. `native`: files are chosen with the system's dialogs.
     #[must_use]
     pub fn new(native: bool) -> Self {
         Self {
@@ -125,7 +125,7 @@ impl Files {
 }
 
 impl Window {
-    /// Reads a document, the document in a picture, or a drawing beside the window, and opens it then.
+    /// Reads a document, the document in a picture, or a drawing on another thread, and opens it once it is read.
     pub(super) fn open(&mut self, path: &Path) {
         match reading::read(path, &self.tasks) {
             Ok(task) => self.files.reading = Some((self.session.revision(), task)),
@@ -146,7 +146,7 @@ impl Window {
                     .wrong("Reading the file failed because of an error in dapple. Please report it.");
             }
             Some((_, Err(why))) => self.notices.wrong(why),
-            // Something was drawn in the meantime.
+            // The user has drawn something in the meantime.
             Some((path, Ok(_))) if revision != self.session.revision() && self.has_unsaved() => {
                 self.files.unsaved = Some(Action::OpenFile(path));
             }
@@ -154,7 +154,7 @@ impl Window {
         }
     }
 
-    /// Opens what was read. Only a document's own file is saved to again.
+    /// Opens the content of a file. Only a document's own file becomes the file to save to.
     fn show(&mut self, path: &Path, content: Content) {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         match content {
@@ -170,7 +170,7 @@ impl Window {
             Content::Drawing(imported) => {
                 self.begin(Session::open_unsaved(imported.document, Document::default(), None));
                 let text = format!("{name}: {}", imported.summary);
-                // What was left out stays until the user has put the notice away.
+                // A message about parts that were left out stays until the user closes it.
                 if imported.unread.is_empty() { self.notices.done(text) } else { self.notices.wrong(text) }
             }
         }
@@ -180,8 +180,8 @@ impl Window {
         self.session.is_changed() && !self.session.finished().layers.is_empty()
     }
 
-    /// Carries out an action at once, or asks first where unsaved changes would be lost. What is being written is
-    /// waited for.
+    /// Carries out an action at once, or asks first where unsaved changes would be lost. Waits for a save that is not
+    /// finished.
     pub(super) fn unless_unsaved(&mut self, ui: &Ui, action: Action) {
         if self.files.is_writing() {
             self.files.after_saving = Some(action);
@@ -242,7 +242,7 @@ impl Window {
             return;
         };
         if let Some(saving) = &mut self.files.saving {
-            // Two saves at a time could end in the wrong order.
+            // Two saves at the same time could end in the wrong order.
             saving.again = Some(path);
             return;
         }
@@ -260,7 +260,7 @@ impl Window {
         }
     }
 
-    /// A file was written, or not: carries out the action that waited for it.
+    /// Called when a file was written or could not be written: carries out the action that waited for that.
     fn written(&mut self, ui: &Ui, written: bool) {
         if let Some(action) = self.files.after_saving.take().filter(|_| written) {
             self.unless_unsaved(ui, action);
@@ -283,7 +283,7 @@ impl Window {
         }
     }
 
-    /// Waits for a save that is being done: the session is about to go.
+    /// Waits for the end of a save, because the session is about to be replaced.
     pub(super) fn finish_saving(&mut self) {
         if let Some(mut saving) = self.files.saving.take() {
             let outcome = saving.wait();
@@ -312,7 +312,7 @@ impl Window {
         }
     }
 
-    /// Receives what tasks and the window system send.
+    /// Receives messages from tasks and from the window system.
     pub(super) fn listen(&mut self, ui: &Ui) {
         if let Err(why) = self.canvas.reference.listen(ui.ctx()) {
             self.notices.wrong(why);
@@ -340,7 +340,7 @@ impl Window {
         }
     }
 
-    /// Takes files that are dropped, and says what can be dropped while some are held over the window.
+    /// Takes dropped files. While files are held over the window, shows what can be dropped.
     pub(super) fn dropped(&mut self, ui: &Ui) {
         let files = platform::dropped(ui);
         let hovering = ui.input(|input| !input.raw.hovered_files.is_empty());
@@ -379,7 +379,7 @@ impl Window {
                 Dropped::Document => self.unless_unsaved(ui, Action::OpenFile(path)),
                 Dropped::Palette(palette) => self.take_palette(self.session.active_layer, palette),
                 Dropped::Picture => self.files.dropped.push_back(path),
-                // Reported before any question about the open document.
+                // Shown before any question about the open document.
                 Dropped::Unreadable(why) => self.notices.wrong(why),
             }
         }

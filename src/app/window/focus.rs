@@ -1,11 +1,11 @@
-//! Which control has the keyboard focus, shown around it while the keyboard is used.
+//! Shows which control has the keyboard focus, while the keyboard is used.
 
 use egui::{Event, Id, Key, LayerId, Order, Stroke, StrokeKind, Ui};
 
 use super::Window;
 use crate::app::theme::Palette;
 
-/// Keys that move the focus or use the control that has it.
+/// Keys that move the focus, or operate the control that has it.
 const MOVES: [Key; 7] =
     [Key::Tab, Key::ArrowLeft, Key::ArrowRight, Key::ArrowUp, Key::ArrowDown, Key::Enter, Key::Space];
 

@@ -122,7 +122,7 @@ impl Window {
         if let Some(place) = column {
             let changes = self.column(ui, place);
             if !changes.is_empty() {
-                // Sketch and texture were shown before.
+                // Sketch and texture have been shown before.
                 ui.ctx().request_repaint();
             }
             changes.into_iter().for_each(|action| self.perform(ui, action));
@@ -153,7 +153,7 @@ impl Window {
             return Vec::new();
         }
         let focused = ui.memory(egui::Memory::focused);
-        // An open menu handles Escape and the arrows itself.
+        // An open menu handles Escape and the arrow keys itself.
         let canvas = focused.is_none_or(|id| self.canvas.id == Some(id)) && !self.menu_open;
         let keys = !ui.text_edit_focused()
             && !self.menu_open
@@ -163,13 +163,13 @@ impl Window {
             && (self.canvas.cancel(&mut self.session) || self.cancel_colour());
         if cancelled {
             ui.ctx().stop_dragging();
-            // Before the canvas sees that the drag has stopped.
+            // Handled before the canvas notices that the drag has stopped.
             actions.retain(|action| *action != Action::Escape);
         }
         actions
     }
 
-    /// Whether a focused widget is a button: it handles Space, Enter and the arrows, but no letters.
+    /// Whether a focused widget is a button: it handles Space, Enter and the arrow keys, but no letters.
     fn is_button(&self, ui: &Ui, id: egui::Id) -> bool {
         ui.ctx()
             .read_response(id)
@@ -220,7 +220,7 @@ impl Window {
         actions
     }
 
-    /// What a page of others shows of the window.
+    /// What is shown where the window is embedded in another page.
     fn without_panels(&mut self, ui: &mut Ui) -> Vec<Action> {
         let room = ui.max_rect();
         if self.presentation == Presentation::Embedded {
@@ -307,12 +307,12 @@ impl Window {
     /// The results of the regions, as signs in their corners.
     fn signs(&self, ui: &Ui, room: Rect, view: View) {
         let (painter, palette) = (ui.painter_at(room), Palette::current(ui.visuals()));
-        // A miss is shown whatever the tab is.
+        // A missed region gets its sign on every tab.
         let all = self.tab == Tab::Result && self.result_panel.signs;
         panels::paint_signs(&painter, room, view, all, (&self.session, &self.results), palette);
     }
 
-    /// Where the views are linked, moves the other one as well.
+    /// Where the views are linked, moves the other view as well.
     fn link(&mut self, before: [View; 2]) {
         if !self.linked || self.over || self.texture.tiled {
             return;
@@ -324,13 +324,13 @@ impl Window {
         }
     }
 
-    /// Grows what was drawn, and makes it a step that can be undone once the pointer is released.
+    /// Grows the changed sketch. The change becomes a step that can be undone once the pointer is released.
     fn grow_what_changed(&mut self, ui: &Ui) {
         let busy = self.is_drawing(ui);
         if !busy {
             self.session.commit();
         }
-        // During a gesture, each growth is left running until its first picture.
+        // During a gesture, each growth runs at least until its first picture.
         let in_time = !busy || !self.growth.is_growing() || self.growth.first_picture.is_some();
         if in_time && self.grown != Some(self.session.revision()) {
             self.grown = Some(self.session.revision());
@@ -369,7 +369,7 @@ fn failed(ui: &mut Ui, room: Rect, why: &str) {
 impl eframe::App for Window {
     fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
         let began = Instant::now();
-        // Of frames that follow each other at once this is how long they take, drawing included.
+        // The time between two successive frames is the duration of a frame, drawing included.
         let took = ui.input(|input| input.stable_dt).min(2.0);
         self.frame_time = took.max(0.9 * self.frame_time);
         self.growth.set_pace(self.frame_time);
@@ -380,8 +380,8 @@ impl eframe::App for Window {
         self.trace.frame(began.elapsed(), frame.info().cpu_usage, self.growth.is_growing());
     }
 
-    /// The background of canvas and texture: these do not paint it, which took a software renderer a quarter of the time of a
-    /// frame.
+    /// The background of canvas and texture. These do not paint it themselves: that took a software renderer a quarter
+    /// of the time of a frame.
     fn clear_color(&self, visuals: &Visuals) -> [f32; 4] {
         Palette::current(visuals).background.to_normalized_gamma_f32()
     }

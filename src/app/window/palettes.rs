@@ -34,7 +34,7 @@ impl PaletteFiles {
         self.writing.is_some()
     }
 
-    /// Another document is open: the palette that is being read was not for its layers.
+    /// Another document is open: a palette that is still being read was not meant for its layers.
     pub fn document_opened(&mut self) {
         self.reading = None;
     }
@@ -47,7 +47,7 @@ impl Window {
 
     pub(super) fn save_palette_as(&mut self) {
         let name = self.session.layer_name(self.session.active_layer);
-        // Names of layers may hold what a file's cannot.
+        // Names of layers may hold characters that file names cannot.
         let name = name.replace(['/', '\\', ':', '\0'], " ");
         self.choose(Purpose::PaletteTo, &format!("{name}.json"));
     }
@@ -75,7 +75,7 @@ impl Window {
             name: self.session.layer_name(self.session.active_layer),
             colours: self.session.colours(self.session.active_layer),
         };
-        // Two palettes that are written at a time could be for the same file and end in the wrong order.
+        // Two palettes that are written at the same time could be for the same file and end in the wrong order.
         self.finish_palette();
         let file = path.to_owned();
         let write = move || palette.write(&file).map_err(|error| with_causes(&error));
@@ -83,7 +83,7 @@ impl Window {
         self.files.palettes.writing = Some((path.to_owned(), writing));
     }
 
-    /// Receives palettes that were read. Returns whether one was written, once it is over.
+    /// Receives palettes that were read. Returns whether a palette was written, once writing has ended.
     pub(super) fn listen_to_palettes(&mut self) -> Option<bool> {
         self.listen_to_read_palette();
         let outcome = self.files.palettes.writing.as_mut()?.1.poll()?;

@@ -26,7 +26,7 @@ impl Window {
         self.files.photo.as_ref()
     }
 
-    /// Reads the photograph of the dialog, whatever lies over it.
+    /// Receives what was read of the dialog's photograph, whatever is shown over the dialog.
     pub(super) fn listen_to_photo(&mut self, ui: &Ui) {
         let Some(photo) = &mut self.files.photo else { return };
         let followed = photo.follow(ui.ctx(), &self.tasks, self.settings.threads);
@@ -50,7 +50,7 @@ impl Window {
     pub(super) fn take_photo(&mut self) {
         let Some(photo) = self.files.photo.take() else { return };
         let Some((imported, picture)) = photo.taken() else {
-            // It is read again: the dialog stays.
+            // The photograph is being read again, so the dialog stays open.
             self.files.photo = Some(photo);
             return;
         };
@@ -60,7 +60,7 @@ impl Window {
         self.notices.done(format!("{}: {}", photo.name(), imported.summary));
     }
 
-    /// A dropped picture is a sketch (yes), the reference picture (no) or a tone (third).
+    /// Carries out the answer about a dropped picture: a sketch (yes), the reference picture (no), or a tone (third).
     pub(super) fn dropped_picture(&mut self, path: &Path, answer: Answer) {
         match answer {
             Answer::Yes => self.import_photo(path),

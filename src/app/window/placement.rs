@@ -1,4 +1,4 @@
-//! Placement of the window on the screen and what it shows, kept from one run to the next.
+//! Placement of the window on the screen, and what is shown in it, kept from one run to the next.
 
 use egui::Ui;
 
@@ -36,7 +36,7 @@ impl Window {
             }
             layout.maximised = viewport.maximized == Some(true);
             if layout.maximised {
-                // The size before it was maximised is kept.
+                // The size from before the window was maximised is kept.
                 return;
             }
             if let Some(inner) = viewport.inner_rect {
@@ -48,7 +48,7 @@ impl Window {
         });
     }
 
-    /// The window closes: waits for files that are being written, and writes the settings.
+    /// Called when the window closes: waits for files that are being written, and writes the settings.
     pub fn leave(&mut self) {
         self.finish_saving();
         self.finish_palette();

@@ -47,7 +47,8 @@ impl Places {
         Self { bars: [first, second], rooms: [sketch, texture] }
     }
 
-    /// What lies behind the bars: one ground where they are beside each other, so that no seam is seen.
+    /// The backgrounds behind the bars: a single one where the bars are side by side, so that no seam is visible
+    /// between them.
     #[must_use]
     pub fn grounds(&self) -> Vec<Rect> {
         let [first, second] = self.bars;

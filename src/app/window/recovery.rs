@@ -1,4 +1,4 @@
-//! Unsaved work in the window: it is kept while it changes, and offered at the next start.
+//! Unsaved work in the window: it is backed up while it changes, and offered at the next start.
 
 use egui::Ui;
 
@@ -6,13 +6,13 @@ use super::Window;
 use crate::app::action::Page;
 
 impl Window {
-    /// Receives what was found and deleted, and offers what was found at the start.
+    /// Receives the results of searching and deleting, and offers what was found at the start.
     pub(super) fn listen_to_recovery(&mut self, ui: &Ui) {
         for error in self.recovery.listen() {
             self.notices.wrong(error);
         }
         let Some(began) = self.offer.filter(|_| !self.recovery.is_searching()) else { return };
-        // Nothing that the user has begun in the meantime is interrupted.
+        // Does not interrupt what the user has begun in the meantime.
         let is_free = matches!(self.page, None | Some(Page::Hint)) && !self.files.is_asking();
         let is_busy = self.canvas.is_busy() || self.menu_open || ui.input(|input| input.pointer.any_down());
         if !self.recovery.lost().is_empty() && self.page != Some(Page::Recovery) {
@@ -53,7 +53,7 @@ impl Window {
         }
     }
 
-    /// Keeps unsaved work against a crash.
+    /// Backs up unsaved work, in case of a crash.
     pub(super) fn keep_unsaved(&mut self) {
         self.trace.marks(self.session.marks().count());
         let pending = self.recovery.is_due().then(|| self.canvas.pending_mark()).flatten();

@@ -1,14 +1,14 @@
-//! Writes the settings beside the window, one write after the other.
+//! Writes the settings on another thread, one write after the other.
 
 use super::Window;
 use crate::editor::settings_file::Merged;
 use crate::editor::writing::Writing;
 
-/// The write of the settings that is being done.
+/// The write of the settings that is running.
 #[derive(Default)]
 pub struct SettingsWriter {
     writing: Option<Writing<Merged>>,
-    /// Whether a write has failed: that is reported once.
+    /// Whether a write has failed; that is reported once.
     has_failed: bool,
 }
 
@@ -21,7 +21,7 @@ impl SettingsWriter {
 }
 
 impl Window {
-    /// Starts to write what has changed in the settings, once the write before is over; never waits.
+    /// Starts to write the changed settings, once the earlier write has ended; never blocks.
     pub(super) fn write_settings(&mut self) {
         if let Some(writing) = &mut self.settings_writer.writing {
             let Some(outcome) = writing.poll() else { return };
@@ -49,8 +49,8 @@ impl Window {
         }
     }
 
-    /// Waits for the write that is being done, and writes what has changed since, such as the placement of the window.
-    /// An error is not shown: the window is closed.
+    /// Waits for the running write, and writes what has changed since, for example the placement of the window. An
+    /// error is not shown, because the window is closed.
     pub(super) fn finish_settings(&mut self) {
         if let Some(Ok(merged)) = self.settings_writer.writing.take().and_then(Writing::wait) {
             self.settings.take_recent(merged.recent);

@@ -44,7 +44,7 @@ pub struct Start {
     pub recovery: Option<PathBuf>,
     /// Whether files are chosen with the system's own dialogs.
     pub native_dialogs: bool,
-    /// How threads are started; tests let it fail.
+    /// How threads are started; tests make this fail.
     pub spawn: Spawn,
 }
 
@@ -54,7 +54,7 @@ impl Window {
     pub fn new(ctx: &Context, start: Start) -> Self {
         theme::apply(ctx);
         ctx.set_theme(start.settings.theme);
-        // Ctrl and + or − zoom the canvas, not the buttons.
+        // Ctrl with + or − zooms the canvas, not the controls.
         ctx.options_mut(|options| {
             options.zoom_with_keyboard = false;
             options.fallback_theme = Theme::Light;

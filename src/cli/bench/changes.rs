@@ -1,6 +1,7 @@
-//! While somebody draws: how soon a change is seen, and whether marks far from it stay where they are.
+//! Measures, for changes of a sketch: how soon a change is shown, and whether grown marks far from it keep their
+//! places.
 //!
-//! The window's own growth is measured, without the window: its thread, its pictures, as many threads as it uses.
+//! The growth of the window is measured without the window, with its thread, its pictures and its number of threads.
 
 use super::check_interrupt;
 use super::kernels::median;
@@ -32,21 +33,21 @@ const ASPECT: f64 = 0.75;
 const APART: f64 = 54.0;
 /// How far a mark is moved, px.
 const MOVED: [f64; 2] = [14.0, -9.0];
-/// Marks farther than this from the one that is moved are far, spacings.
+/// Marks that are farther than this from the moved mark count as far, spacings.
 const FAR: f64 = 5.0;
-/// A mark has moved if it is farther than this from where it was, radii.
+/// A mark counts as moved if it is farther than this from its earlier place, radii.
 const STAYS: f64 = 0.2;
 
 /// What is drawn.
 #[derive(Clone, Copy, Debug)]
 pub enum Sketch {
-    /// A few marks that stay, and others around them.
+    /// A few marks that are part of the texture; the others grow around them.
     Free,
-    /// A few marks as attributes of four regions.
+    /// A few marks that only set the attributes of four regions.
     Regions,
-    /// A few marks as attributes of four regions, with outlines that are irregular.
+    /// A few marks that only set the attributes of four regions, with irregular outlines.
     Irregular,
-    /// Marks that stay, all over the canvas.
+    /// Marks all over the canvas that are part of the texture.
     AllOver,
 }
 
@@ -89,13 +90,13 @@ impl Sketch {
         session.finished()
     }
 
-    /// How many marks are drawn.
+    /// The number of drawn marks.
     fn marks(self) -> usize {
         if let Self::AllOver = self { 9 * 11 } else { MARKS }
     }
 
-    /// Where mark `index` is drawn, px: in rows, every second one shifted. All over the canvas they stand less evenly, as
-    /// drawn by hand: by up to a tenth of their distance to each side.
+    /// The place of drawn mark `index`, px: in rows, every second one shifted. In `AllOver` the places are less even,
+    /// like a drawing by hand: each is shifted by up to a tenth of the distance of the marks.
     fn center(self, index: usize) -> [f64; 2] {
         let (in_a_row, first, uneven) = match self {
             Self::AllOver => (9, 26.0, 0.1),
@@ -103,7 +104,7 @@ impl Sketch {
         };
         let [column, row] = [index % in_a_row, index / in_a_row];
         let shift = if row % 2 == 0 { 0.0 } else { 0.5 };
-        // Evenly spread numbers, 0..1: multiples of the golden ratio and of the root of two.
+        // Evenly distributed numbers, 0..1: multiples of the golden ratio and of √2.
         let off = [0.618_034, 0.414_214].map(|step| uneven * (2.0 * (step * index as f64).fract() - 1.0));
         [first + APART * (column as f64 + shift + off[0]), first + APART * (0.87 * row as f64 + off[1])]
     }
@@ -117,13 +118,14 @@ pub struct Changes {
     first: f64,
     /// Median time from a change to the settled picture, seconds.
     settled: f64,
-    /// Of the marks that are far from the one that was moved, the share that has moved too: of each change.
+    /// For each change: the share of the far marks that have moved too.
     moved: Vec<f64>,
 }
 
-/// Moves each of the marks of `sketch` once, `changes` of them.
+/// Moves the first `changes` marks of `sketch`, each once.
 ///
 /// # Errors
+///
 /// [`Error::Interrupted`]; the sketch cannot be grown.
 pub fn measure(sketch: Sketch, changes: usize) -> Result<Changes, Error> {
     let mut growth = Growth::new(Tasks::default());
@@ -163,7 +165,8 @@ fn grow(growth: &mut Growth, document: &Document) -> Result<Times, Error> {
     }
 }
 
-/// Of the marks far from the one that was drawn at `center`, the share that is not where one was before, or that is no longer there.
+/// Of the marks far from the one that was drawn at `center`, the share that is farther from any earlier mark than a
+/// mark may move, or that has disappeared.
 fn share_moved(center: [f64; 2], before: &Grown, after: &Grown) -> f64 {
     let places = |grown: &Grown| -> Vec<[f64; 2]> {
         let spots =
@@ -196,11 +199,11 @@ impl Changes {
     }
 }
 
-/// A line a sketch.
+/// One line for each sketch.
 pub fn table(measurements: &[Changes]) -> String {
     let mut text = format!(
-        "\nAfter one mark of {AREA} px² was moved, {SIDE} × {SIDE} px, as in the window\n  {:26} {:>14} {:>12} {:>24}\n",
-        "sketch", "first picture", "settled", "marks that moved far away"
+        "\nTimes after one mark of {AREA} px² was moved on a canvas of {SIDE} × {SIDE} px, as in the window\n  {:26} {:>14} {:>12} {:>24}\n",
+        "sketch", "first picture", "settled", "far marks that moved"
     );
     for Changes { sketch, first, settled, moved } in measurements {
         let most = moved.iter().copied().fold(0.0, f64::max);
@@ -224,7 +227,7 @@ mod tests {
     use crate::synth::Measured;
 
     #[test]
-    fn the_share_of_marks_that_moved_far_away_counts_those_alone() {
+    fn only_marks_far_from_the_change_count_in_the_share_that_moved() {
         let first = Sketch::Regions.center(0);
         let grown = Sketch::Regions.document().grow().expect("a texture");
         let shifted = |by: f64, is_near: bool| {

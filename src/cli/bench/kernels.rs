@@ -1,4 +1,5 @@
-//! Cell updates a second of the plain solver on one thread and of the fast solver on one and on several threads, measured in turn.
+//! Cell updates a second of the plain solver on one thread and of the fast solver on one and on several threads,
+//! measured alternately.
 
 use super::check_interrupt;
 use crate::cli::Error;
@@ -11,9 +12,9 @@ use std::time::Duration;
 /// How long to measure.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
-    /// Number of turns of each solver.
+    /// Number of runs of each solver.
     pub pairs: usize,
-    /// Shortest duration of a turn.
+    /// Least duration of a run.
     pub at_least: Duration,
     /// Number of growths of each picture.
     pub pictures: usize,
@@ -28,10 +29,10 @@ pub struct Pools {
 }
 
 impl Pools {
-    /// A pool of one thread and one of `threads`, or of as many as there are cores.
+    /// A pool of one thread, and one of `threads` threads (`None` = as many as there are cores).
     pub fn new(threads: Option<usize>) -> Result<Self, Error> {
         let pool = |threads: usize| threads::pool(threads).map_err(Error::step);
-        // 0 lets rayon decide.
+        // With 0, rayon chooses the number.
         let all = pool(threads.unwrap_or(0))?;
         let threads = all.current_num_threads();
         Ok(Self { one: pool(1)?, all, threads })
@@ -67,10 +68,10 @@ pub struct Kernel {
     pub all_over_one: f64,
 }
 
-/// Steps of the fast solver are multiples of this: it takes several steps in one sweep.
+/// The steps of the fast solver are multiples of this, because it takes several steps in one sweep over the grid.
 const SWEEP: u64 = 16;
 
-/// Takes a number of steps.
+/// Advances a growth by a number of steps.
 type Solver<'a> = &'a dyn Fn(&mut Growth, u64);
 
 /// Measures `case` at `size`.
@@ -85,7 +86,7 @@ pub fn measure(
     effort: Effort,
 ) -> Result<Kernel, Error> {
     let growth = case.growth(start, &case.maps(size));
-    // A start of the same case always fits.
+    // The start belongs to the system of the case.
     let mut growth = growth
         .ok_or_else(|| Error::Usage(format!("{}: the start belongs to another system", case.name())))?;
     let plain: Solver = &|growth, steps| pools.one.install(|| growth.advance_plain(steps));
@@ -133,7 +134,7 @@ fn steps_for(
     loop {
         let taken = run(steps)?;
         if taken >= 0.25 * wanted {
-            // A tenth more, as the next run may be faster.
+            // A tenth more, because the next run may be faster.
             let sweeps = (1.1 * wanted / taken * steps as f64 / sweep as f64).ceil() as u64;
             return Ok(sweep * sweeps.max(1));
         }
@@ -148,7 +149,7 @@ pub fn seconds(work: impl FnOnce()) -> f64 {
     started.elapsed().as_secs_f64()
 }
 
-/// The median; NaN of no numbers.
+/// The median; NaN where there are no numbers.
 pub fn median(mut numbers: Vec<f64>) -> f64 {
     numbers.sort_by(f64::total_cmp);
     let half = numbers.len() / 2;

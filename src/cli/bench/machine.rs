@@ -30,8 +30,8 @@ fn processor() -> String {
     name.filter(|name| !name.is_empty()).unwrap_or_else(|| std::env::consts::ARCH.to_owned())
 }
 
-/// Processes running or waiting to run, averaged over the last minute, including this program's threads.
-/// `None` if the system has no such figure.
+/// Processes running or waiting to run, averaged over the last minute, including this program's threads. `None` if the
+/// system does not report it.
 pub fn load() -> Option<f64> {
     System::load_average().ok().map(|load| load.one)
 }

@@ -1,4 +1,4 @@
-//! Where the time from a document to its picture goes: CPU time by section, on one thread.
+//! The CPU time from a document to its picture, by section of the work, on one thread.
 
 use super::kernels::{Effort, Pools, median};
 use super::pictures::{Example, Folder};
@@ -9,7 +9,7 @@ use crate::synth::profile::{Seconds, Section, measured};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// Spots that vary in all attributes, stripes that turn, spots of different sizes, and three layers.
+/// Spots that vary in all attributes, stripes whose direction changes, spots of different sizes, and three layers.
 pub const EXAMPLES: [Example; 4] = [
     pictures::EXAMPLES[0],
     pictures::EXAMPLES[1],
@@ -24,7 +24,7 @@ pub struct Phases {
     pub document: &'static str,
     /// Side of the canvas, px.
     pub size: usize,
-    /// CPU time, by section the median.
+    /// CPU time of each section, seconds: the median.
     pub seconds: Seconds,
 }
 
@@ -53,7 +53,7 @@ pub fn measure(
 }
 
 impl Phases {
-    /// Nanoseconds a px.
+    /// Nanoseconds per px.
     fn a_px(&self, seconds: f64) -> f64 {
         1e9 * seconds / (self.size * self.size) as f64
     }
@@ -68,9 +68,9 @@ impl Phases {
     }
 }
 
-/// A table of nanoseconds a px: a line a section, a column a measurement.
+/// A table of nanoseconds per px, with a line for each section and a column for each measurement.
 pub fn table(measurements: &[Phases]) -> String {
-    let mut text = "\nCPU time from document to picture on one thread, nanoseconds a px\n".to_owned();
+    let mut text = "\nCPU time from document to picture on one thread, nanoseconds per px\n".to_owned();
     let mut line = |name: &str, values: &dyn Fn(&Phases) -> String| {
         // Writing to a String cannot fail.
         let _ = write!(text, "  {name:14}");

@@ -1,4 +1,4 @@
-//! The time from a document to its picture, as by `dapple grow`.
+//! The time from a document to its picture, measured with `dapple grow`.
 
 use super::check_interrupt;
 use super::kernels::{Effort, Pools, median, seconds};
@@ -18,7 +18,7 @@ pub struct Example {
     pub text: &'static str,
 }
 
-/// Spots that vary in all attributes, stripes that turn, and large marks.
+/// Spots that vary in all attributes, stripes whose direction changes, and large marks.
 pub const EXAMPLES: [Example; 3] = [
     Example { name: "cheetah-run", text: include_str!("../../../examples/cheetah-run.dapple") },
     Example { name: "zebra", text: include_str!("../../../examples/zebra.dapple") },
@@ -81,7 +81,7 @@ pub fn measure(example: &Example, folder: &Folder, pools: &Pools, effort: Effort
     Ok(Picture { document: example.name, size, seconds: median(times) })
 }
 
-/// What the command line gives `grow`, all else as usual.
+/// The arguments of `grow` for this document and picture; all others have their defaults.
 fn grow_args(document: &Path, picture: &Path) -> Result<grow::Args, Error> {
     let words: [OsString; 6] = [
         "dapple".into(),

@@ -21,13 +21,13 @@ pub struct Report {
     pub pictures: Vec<Picture>,
     /// CPU times from document to picture, by section of the work.
     pub phases: Vec<Phases>,
-    /// What happens while somebody draws.
+    /// Times after changes of a sketch.
     #[cfg(feature = "app")]
     pub changes: Vec<Changes>,
 }
 
 impl Report {
-    /// An empty report with the current load of the machine.
+    /// A report without measurements, with the current load of the machine.
     pub fn begin(threads: usize, effort: Effort) -> Self {
         Self {
             machine: Machine::here(),
@@ -42,7 +42,7 @@ impl Report {
         }
     }
 
-    /// Adds the load of the machine at the end.
+    /// Adds the load of the machine at the end of the measurements.
     pub fn end(&mut self) {
         self.load[1] = load();
     }
@@ -122,7 +122,7 @@ impl Report {
     fn kernel_table(&self) -> String {
         let Effort { pairs, at_least, .. } = self.effort;
         let mut text = format!(
-            "\nMillion cell updates a second, medians of {pairs} turns of {:.2} s or more\n",
+            "\nMillion cell updates a second, medians of {pairs} runs of {:.2} s or more\n",
             at_least.as_secs_f64()
         );
         let many = format!("{} threads", self.threads);

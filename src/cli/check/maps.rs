@@ -1,4 +1,4 @@
-//! What the maps of a layer do.
+//! Describes the maps of a layer.
 
 use crate::document::{Layer, LayerMap, MapChange, MapKey, MapSource};
 use serde_json::{Map, Value, json};
@@ -46,7 +46,7 @@ fn described(key: MapKey, map: &LayerMap) -> String {
     }
 }
 
-/// What `check --json` says of a layer, with its maps.
+/// The entry of a layer in `check --json`, with its maps.
 pub(super) fn with_maps(mut found: Value, layer: &Layer) -> Value {
     if let (false, Some(object)) = (layer.maps.is_empty(), found.as_object_mut()) {
         let maps = layer.maps.iter().map(|(key, map)| (key.name().to_owned(), as_json(key, map)));

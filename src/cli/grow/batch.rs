@@ -74,7 +74,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     }
     let all = tasks.len();
     if shows_progress(args) && why.is_empty() {
-        // As above.
+        // If stderr is closed, the line is lost.
         let _ = writeln!(
             io::stderr(),
             "{all} of {all} pictures are in {}",
@@ -84,7 +84,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     if why.is_empty() { Ok(()) } else { Err(Error::Batch { all, why }) }
 }
 
-/// Progress is for terminals.
+/// Whether progress is shown: only on terminals.
 fn shows_progress(args: &Args) -> bool {
     !args.quiet && io::stderr().is_terminal()
 }
@@ -155,7 +155,11 @@ fn tasks(args: &Args, folder: &Path) -> Result<Vec<Task>, Error> {
             None => stem(file),
         };
         if let Some(other) = files[..index].iter().find(|other| named(other) == named(file)) {
-            let same = if same_place(other, file) { "one file twice" } else { "one name for two pictures" };
+            let same = if same_place(other, file) {
+                "the same file"
+            } else {
+                "whose pictures would have the same name"
+            };
             return Err(Error::Usage(format!(
                 "FILE: found {} and {}, {same}; allowed: documents of different names",
                 other.display(),

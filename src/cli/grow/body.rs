@@ -28,7 +28,8 @@ pub struct BodyArgs {
     /// Grow on this file (OBJ, PLY, STL, GLB, glTF) instead of the model that the document names
     #[arg(long, value_name = "MODEL")]
     pub model: Option<std::path::PathBuf>,
-    /// From where the picture shows the model: degrees round it from the front, and above the horizon [default: -30,18]
+    /// The direction from which the picture shows the model: degrees around it from the front, and above the horizon
+    /// [default: -30,18]
     #[arg(long, value_name = "AZ,EL", value_parser = view, allow_hyphen_values = true)]
     pub view: Option<[f64; 2]>,
     /// Raise the marks of a model by MM millimetres, for a printer: with -o OUT.stl or OUT.ply; below 0 they are hollows
@@ -83,11 +84,11 @@ fn millimetres(text: &str) -> Result<f64, String> {
     number.ok_or_else(|| format!("allowed: numbers from -{MOST_MM} to {MOST_MM}, mm, but 0, such as 0.8"))
 }
 
-/// Refuses options that mean nothing for a document on a model.
+/// Refuses options that have no meaning for a document on a model.
 fn check(args: &Args) -> Result<(), Error> {
     const FLAT: &str =
         "the pattern of a model is not flat; allowed: -o OUT.ply, which holds its colours by vertex";
-    const LATER: &str = "it does not vary on a model yet; allowed: without it";
+    const LATER: &str = "the texture of a model cannot be varied by maps yet; leave the option out";
     let given = [
         ("--pattern", args.pattern.is_some(), FLAT),
         ("--labels", args.labels.is_some(), FLAT),

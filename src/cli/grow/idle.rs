@@ -1,4 +1,4 @@
-//! Options that do nothing for the files that are written.
+//! Options that have no effect on the files that are written.
 
 use std::path::Path;
 
@@ -39,7 +39,7 @@ pub fn notes(args: &Args) -> Vec<String> {
     ];
     let idle = given.into_iter().filter(|(_, is_idle, _)| *is_idle);
     idle.map(|(option, _, files)| {
-        format!("{option} does nothing for the files that are written; it is for {files}")
+        format!("{option} has no effect on the files that are written; it is for {files}")
     })
     .collect()
 }

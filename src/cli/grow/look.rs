@@ -9,7 +9,7 @@ use crate::synth::render::painting::Style;
 /// Options for the picture.
 #[derive(clap::Args, Clone, Debug)]
 pub struct Look {
-    /// Make the ground transparent; over the ground's colour, the picture looks the same as without this option
+    /// Make the ground transparent; over the colour of the ground, the picture looks the same as without this option
     #[arg(long)]
     pub transparent: bool,
     /// Bits of each colour: 8 or, in .png and .tif, 16 (.exr has 32)
@@ -26,7 +26,7 @@ pub struct Look {
 }
 
 impl Look {
-    /// The style without px an inch and texts.
+    /// The style without its resolution and texts.
     pub fn style(&self) -> Style {
         Style {
             deep: self.depth == 16,
@@ -36,7 +36,7 @@ impl Look {
         }
     }
 
-    /// The style for a picture of `document`; `refined`: whether the growth was refined.
+    /// The style of a picture of `document`. `refined`: whether the growth was corrected by its measurements.
     pub fn style_for(&self, document: &Document, refined: bool, extent: Extent) -> Style {
         let dpi = document.dpi * f64::from(extent.scale);
         if self.no_document {

@@ -17,13 +17,15 @@ pub struct Material {
     /// Also write a material into this folder: base colour, height, normals, roughness, occlusion, a plane (docs/materials.md)
     #[arg(long, value_name = "DIR")]
     pub material: Option<PathBuf>,
-    /// Height of the marks above the ground, px; negative for hollows. One for each layer, the last for all further layers
+    /// Height of the marks above the ground, px; negative for hollows. One number for each layer; the last one is for
+    /// all further layers
     #[arg(
         long, value_name = "PX,…", requires = "material", value_delimiter = ',', default_value = "6",
         value_parser = values::relief
     )]
     pub relief: Vec<f64>,
-    /// Roughness of the ground and of the marks, 0 to 1. One for each layer, the last for all further layers
+    /// Roughness of the ground and of the marks, 0 to 1. One number for each layer; the last one is for all further
+    /// layers
     #[arg(
         long, value_name = "GROUND,MARKS,…", requires = "material", value_delimiter = ',',
         default_value = "0.8,0.5", value_parser = roughness
@@ -37,7 +39,7 @@ fn roughness(text: &str) -> Result<f64, String> {
 }
 
 impl Material {
-    /// Checks whether the maps can be written, before the work is done.
+    /// Checks whether the maps can be written, before the growth starts.
     pub fn check(&self, size: [usize; 2]) -> Result<(), Error> {
         let Some(folder) = &self.material else { return Ok(()) };
         if folder.exists() && !folder.is_dir() {

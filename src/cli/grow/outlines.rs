@@ -24,7 +24,7 @@ pub struct OutlineArgs {
     /// Also write the outlines of the marks as DXF (release 12), one DXF layer for each layer
     #[arg(long, value_name = "OUT.dxf")]
     pub dxf: Option<PathBuf>,
-    /// The pattern value that outlines follow, above 0, below 1 [default: 0.5, the marks' edges]
+    /// The pattern value that outlines follow, above 0, below 1 [default: 0.5, the edge of the marks]
     #[arg(long, value_name = "P", value_parser = values::level)]
     pub level: Option<f64>,
     /// The unit of lengths in the file and in these options: mm (by the document's dpi) or px [default: mm]
@@ -42,13 +42,13 @@ pub struct OutlineArgs {
     /// Leave out islands and holes of a smaller area (mm² or px²)
     #[arg(long, value_name = "AREA", value_parser = values::positive)]
     pub min_area: Option<f64>,
-    /// Strokes of marks at the canvas' edge: closed along it, or cut there [default: closed]
+    /// Strokes of marks at the edge of the canvas: closed along it, or cut there [default: closed]
     #[arg(long, value_name = "closed|cut", value_parser = values::ends)]
     pub edges: Option<Ends>,
-    /// Put a rectangle in the colour of the ground beneath the outlines of an SVG
+    /// Put a rectangle in the colour of the ground under the outlines of an SVG
     #[arg(long)]
     pub ground: bool,
-    /// Draw paths in the order found instead of searching a short route
+    /// Draw paths in the order in which they are found, instead of searching for a short route
     #[arg(long)]
     pub no_order: bool,
 }
@@ -172,12 +172,13 @@ pub fn check(args: &Args, document: &Document, extent: Extent) -> Result<(), Err
     }
 }
 
-/// Bytes that a stroke of a hatch takes while its route is searched: three times the path, its possible starts, and its visit.
-/// Measured: 490, with 1.4 million strokes on 4096² px.
+/// Bytes for each stroke of a hatch while its route is searched for: three times the path, its possible starts, and its
+/// visit. Measured: 490, with 1.4 million strokes on 4096² px.
 const BYTES_PER_STROKE: f64 = 700.0;
 
-/// Estimated number of hatch strokes in a layer's marks; lengths are px of the canvas. Marks cover at most half of it, and strokes
-/// are on average at least as long as the narrowest drawn mark is wide.
+/// Estimated number of hatch strokes in the marks of a layer; lengths are px of the canvas. The estimate assumes that
+/// marks cover at most half of the canvas, and that strokes are on average at least as long as the narrowest drawn mark
+/// is wide.
 fn strokes(layer: &Layer, size: [f64; 2], spacing: f64) -> f64 {
     let widths = layer.strokes.iter().map(|stroke| match stroke {
         Stroke::Ellipse(ellipse) | Stroke::Fitted { ellipse, .. } => {
@@ -194,7 +195,7 @@ fn strokes(layer: &Layer, size: [f64; 2], spacing: f64) -> f64 {
     0.5 * size[0] * size[1] / (spacing * narrowest)
 }
 
-/// How far the pen moves to draw the outlines.
+/// The distance that the pen moves to draw the outlines.
 pub struct Drawn {
     unit: Unit,
     travel: Travel,
@@ -268,7 +269,7 @@ pub fn prepare(
     };
     let write = |path: &&Path| {
         files::prepare(path, |out| {
-            // Standard output has no ending.
+            // Standard output has no ending that could name a format.
             if has_ending(path, "dxf")
                 || !has_ending(path, "svg") && args.outlines.dxf.as_deref() == Some(*path)
             {

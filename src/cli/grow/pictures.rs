@@ -23,7 +23,7 @@ fn requested(args: &Args) -> impl Iterator<Item = (&Path, Channel)> {
     pictures.into_iter().filter_map(|(path, channel)| Some((path?, channel)))
 }
 
-/// Checks whether all requested pictures can be written at `size` px, before the work is done.
+/// Checks whether all requested pictures can be written at `size` px, before the growth starts.
 pub fn check(args: &Args, size: [usize; 2]) -> Result<(), Error> {
     let style = args.look.style();
     for (path, channel) in requested(args) {

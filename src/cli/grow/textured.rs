@@ -144,8 +144,7 @@ impl<'a> Textured<'a> {
     }
 
     fn set<'b>(&self, name: &'b str) -> Set<'b> {
-        let transparent = self.grown.is_transparent();
-        Set { name, size: self.size, deep: self.deep, transparent, dpi: None }
+        Set { name, size: self.size, deep: self.deep, transparent: false, dpi: None }
     }
 
     /// Writes a `.glb` with its pictures.
@@ -163,7 +162,7 @@ impl<'a> Textured<'a> {
     }
 
     fn skin<'b>(&self, [base_colour, normal, orm]: [SkinPicture<'b>; 3]) -> Skin<'b> {
-        Skin { material: MATERIAL, base_colour, normal, orm, transparent: self.grown.is_transparent() }
+        Skin { material: MATERIAL, base_colour, normal, orm, transparent: false }
     }
 
     /// Writes an `.obj`; its materials and their pictures lie beside it.

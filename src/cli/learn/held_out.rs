@@ -1,4 +1,4 @@
-//! Errors in parameters: held-out rows are looked up in training sets of increasing size.
+//! Errors of parameters: rows that are left out are looked up in training sets of increasing size.
 
 use super::outcome::{Of, Outcome};
 use super::way::Way;
@@ -13,7 +13,7 @@ use rayon::prelude::*;
 /// Sizes of the reduced training sets.
 const SIZES: [usize; 4] = [30, 100, 300, 1_000];
 
-/// The outcome of each way with each number of rows.
+/// The outcome of each method with each number of rows.
 pub fn outcomes(setting: &Setting, system: System) -> Result<Vec<Outcome>, Error> {
     let set = setting.training.set(system).map_err(Error::step)?;
     let folds = folds(set.rows(), &SIZES, setting.targets);
@@ -32,7 +32,7 @@ pub fn outcomes(setting: &Setting, system: System) -> Result<Vec<Outcome>, Error
     Ok(outcomes)
 }
 
-/// The rows to look up; a fifth of them for the way that grows patches for each.
+/// The rows to look up; only a fifth of them for the method that grows patches for each row.
 fn questions(fold: &Fold, way: Way) -> Vec<learn::Row> {
     match way {
         Way::Refined => evenly(&fold.questions, fold.questions.len().div_ceil(5)),
@@ -50,7 +50,7 @@ fn outcome(
 ) -> Result<Outcome, Error> {
     let errors_of = |row: &learn::Row| {
         setting.watch.step(crate::synth::Stage::Grow, 0.0).map_err(|_| Error::Interrupted)?;
-        // A cell is a px.
+        // One cell is one px here.
         let asked = row.attributes.in_px(1.0);
         let got = way.parameters(training, system, &asked, 1.0, setting.when, setting.watch)?;
         done();

@@ -1,4 +1,4 @@
-//! The outcome of one way.
+//! The outcome of one method.
 
 use crate::learn::Errors;
 use crate::rd::Bounds;
@@ -6,9 +6,9 @@ use crate::rd::Bounds;
 /// What was compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Of {
-    /// The parameters found for rows that were held out, against theirs.
+    /// The parameters that were found for rows that were left out, compared with those of the rows.
     Parameters,
-    /// The attributes of new growths, against those asked for.
+    /// The attributes of new growths, compared with those that were asked for.
     Grown,
 }
 
@@ -22,14 +22,14 @@ impl Of {
     }
 }
 
-/// The errors of one way with a training set of some size.
+/// The errors of one method with a training set of some size.
 #[derive(Clone, Debug)]
 pub struct Outcome {
     /// The name of the system.
     pub system: &'static str,
     /// What was compared.
     pub of: Of,
-    /// The name of the way.
+    /// The name of the method.
     pub way: &'static str,
     /// The allowed errors of new growths with all rows.
     pub bounds: Bounds,
@@ -39,9 +39,9 @@ pub struct Outcome {
     pub all: bool,
     /// Number of questions.
     pub asked: usize,
-    /// The questions that were refused or grew no texture, with reasons.
+    /// The questions that were refused or that grew no texture, with reasons.
     pub failed: Vec<String>,
-    /// Errors of the others, by quantity.
+    /// Errors of the other questions, by quantity.
     pub errors: Vec<Errors>,
 }
 

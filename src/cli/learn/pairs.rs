@@ -1,4 +1,4 @@
-//! Errors of systems of pairs: rows that are held out, and random targets that are grown anew.
+//! Errors of systems of pairs: for rows that are left out, and for random targets that are grown.
 
 use super::outcome::{Of, Outcome};
 use super::{Setting, bar};
@@ -10,12 +10,14 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
-/// What is grown: by the law alone, with what the rows say of it, and corrected as `dapple grow` does.
+/// The methods whose answers are grown: by the law alone, with the correction from the rows, and refined as in `dapple
+/// grow`.
 const GROWN: [&str; 3] = ["law alone", "LWR", "LWR + refinement"];
-/// Periods along a side of a patch, and cells on one.
+/// Periods along the side of a patch, and cells along it.
 const PERIODS: [f64; 2] = [16.0, 120.0];
 
-/// The outcomes of one system of pairs; none where it has no rows, or where a folder of all systems has no files of it.
+/// The outcomes of one system of pairs; none where it has no rows, or where a folder with all systems has no files for
+/// it.
 pub fn outcomes(setting: &Setting, system: &'static Description) -> Result<Vec<Outcome>, Error> {
     let set = match setting.training.pairs(system) {
         Err(TrainingError::NoFiles { .. }) if setting.all => None,
@@ -45,9 +47,9 @@ pub fn outcomes(setting: &Setting, system: &'static Description) -> Result<Vec<O
     Ok(outcomes)
 }
 
-/// The errors of one way in what was answered.
+/// The errors of one method for a parameter.
 fn of_parameter(held: &HeldOut, way: usize) -> impl Iterator<Item = learn::Error> + '_ {
-    // A factor of the size that is off by a share makes the size off by it.
+    // A relative error of the factor on the size is the same relative error of the size.
     let quantity = match held.answered {
         "factor" => "size",
         "apart" => "distance",
@@ -56,7 +58,7 @@ fn of_parameter(held: &HeldOut, way: usize) -> impl Iterator<Item = learn::Error
     held.errors[way].iter().map(move |error| learn::Error { quantity, unit: "%", value: 100.0 * error })
 }
 
-/// The errors of random targets by each of the ways.
+/// The errors of random targets by each of the methods.
 fn grown(setting: &Setting, system: &'static Description, rows: usize) -> Result<Vec<Outcome>, Error> {
     let law = Training::with_pairs(system, Vec::new()).map_err(Error::step)?;
     let bar = bar(format!("{}, grown anew", system.name), GROWN.len() * setting.targets);
@@ -95,7 +97,7 @@ fn grown(setting: &Setting, system: &'static Description, rows: usize) -> Result
     Ok(outcomes)
 }
 
-/// Random target number `index`, of the attributes that the system is for.
+/// Random target number `index`, with attributes that the system is made for.
 fn target(system: &'static Description, seed: u64, index: u64) -> PairPatch {
     let mut rng = Pcg64::seed_from_u64(seed.wrapping_mul(1_000_003).wrapping_add(index));
     let mut between = |low: f64, high: f64| low + (high - low) * rng.random::<f64>();

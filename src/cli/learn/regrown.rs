@@ -21,15 +21,15 @@ const SPOTS: f64 = 160.0;
 const WAVELENGTHS: f64 = 20.0;
 /// Rows of the reduced training set.
 const FEW: usize = 100;
-/// The ways whose parameters are grown.
+/// The methods whose parameters are grown.
 const WAYS: [Way; 3] = [Way::Learnt(Method::ScaleLaw), Way::REGRESSION, Way::Refined];
-/// Most measurements while the level is corrected, and the allowed relative error of the size, as in `grow`.
+/// The most measurements while the level is corrected, and the allowed relative error of the size; both as in `grow`.
 const ROUNDS: usize = 5;
 const NEAR: f64 = 0.001;
 /// Range of the level's correction factor.
 const CORRECTIONS: [f64; 2] = [0.6, 1.5];
 
-/// The outcome of each way with few rows and with all.
+/// The outcome of each method with few rows and with all rows.
 pub fn outcomes(setting: &Setting, system: System) -> Result<Vec<Outcome>, Error> {
     let mut targets = targets(system, setting.targets, setting.seed);
     if !system.is_striped() && !system.description().free_spacing {
@@ -73,10 +73,10 @@ pub fn outcomes(setting: &Setting, system: System) -> Result<Vec<Outcome>, Error
     Ok(outcomes.into_iter().flatten().collect())
 }
 
-/// The errors of a growth for a target; or why it failed, with the target.
+/// The errors of a growth for a target; or the target with the reason why it failed.
 type Found = Result<Vec<learn::Error>, String>;
 
-/// The result of each way for a target.
+/// The result of each method for a target.
 fn regrown(
     setting: &Setting,
     system: System,
@@ -86,7 +86,7 @@ fn regrown(
     let cell = cell_for(system, &target.wanted);
     let wanted = InCells::from_px(target.wanted, cell);
     let failed = |why: String| format!("{}: {why}", described(&target.wanted));
-    // A patch with the same parameters as the one before need not be grown again.
+    // A patch with the same parameters as the one before is not grown again.
     let mut last: Option<(ProbePatch, Field)> = None;
     let mut found = Vec::with_capacity(WAYS.len());
     for way in WAYS {
@@ -112,7 +112,7 @@ fn regrown(
     Ok(found)
 }
 
-/// Such as `area 300 px², aspect 0.512, angle 33°, centres 61 px apart`.
+/// The target as text, for example `area 300 px², aspect 0.512, angle 33°, centres 61 px apart`.
 fn described(wanted: &Attributes) -> String {
     match wanted {
         Attributes::Spots(spots) => {
@@ -126,14 +126,14 @@ fn described(wanted: &Attributes) -> String {
     }
 }
 
-/// The attributes on a patch, with its level multiplied by `correction`; or why it is not a texture.
+/// The attributes on a patch whose level is multiplied by `correction`; or why the patch is not a texture.
 fn measured(patch: &ProbePatch, marks: &Field, correction: f64) -> Result<InCells<Attributes>, String> {
     let mut parameters = patch.parameters;
     parameters.level = parameters.level.map(|level| level * correction);
     let attributes =
         ProbePatch { parameters, ..*patch }.measure(marks).map_err(|reason| reason.to_string())?.attributes;
     if let (InCells(Attributes::Stripes(stripes)), true) = (attributes, correction != 1.0) {
-        // Their edge is at ½; their direction does not depend on it.
+        // The edge of these marks is at ½. Their direction does not depend on the level.
         let found = measure::stripes(marks, (0.5 * correction) as f32);
         let width = found.map_or(stripes.width, |found| found.width);
         return Ok(InCells(Attributes::Stripes(Stripes { width, ..stripes })));
@@ -141,7 +141,7 @@ fn measured(patch: &ProbePatch, marks: &Field, correction: f64) -> Result<InCell
     Ok(attributes)
 }
 
-/// The attributes on a patch, at the level that gives the wanted size; or why it is not a texture.
+/// The attributes on a patch at the level that gives the wanted size; or why the patch is not a texture.
 fn levelled(
     patch: &ProbePatch,
     marks: &Field,
@@ -154,7 +154,8 @@ fn levelled(
     };
     let mut correction = 1.0;
     let mut got = measured(patch, marks, correction)?;
-    // The first estimate of d ln size / d ln level: that of a Gaussian bell, or of a sinusoidal stripe (`synth::marks::grow::levelled`).
+    // The first estimate of d ln size / d ln level is that of a Gaussian bell, or of a sinusoidal stripe
+    // (`synth::marks::grow::levelled`).
     let stripes = patch.system.is_striped();
     let mut slope = if stripes { -2.0 / std::f64::consts::PI } else { -1.44 };
     for _ in 1..ROUNDS {

@@ -44,9 +44,11 @@ pub fn text(system: &str, outcomes: &[Outcome]) -> String {
         let _ = match of {
             Of::Parameters => writeln!(
                 text,
-                "\n  parameters of rows that were not learnt from: |error|, median / 95th percentile"
+                "\n  parameters of rows that were left out of the training: |error|, median / 95th percentile"
             ),
-            Of::Grown => writeln!(text, "\n  random targets grown anew: |error|, median / 95th percentile"),
+            Of::Grown => {
+                writeln!(text, "\n  random targets that were grown: |error|, median / 95th percentile")
+            }
         };
         text += &lines(of, &outcomes);
     }
@@ -82,13 +84,13 @@ fn lines(of: Of, outcomes: &[&Outcome]) -> String {
     text
 }
 
-/// `1.2 / 3.4`.
+/// Median and 95th percentile, for example `1.2 / 3.4`.
 fn figures(errors: &Errors) -> String {
     let digits = if errors.unit.is_empty() { 4 } else { 2 };
     format!("{:.digits$} / {:.digits$}", errors.median, errors.p95)
 }
 
-/// Which bounds are met, and what failed, for complete training sets.
+/// The bounds that are met and missed, and the targets that failed, for complete training sets.
 fn verdicts(outcomes: &[Outcome]) -> String {
     let mut text = String::new();
     for outcome in outcomes.iter().filter(|outcome| outcome.none_failed().is_some()) {

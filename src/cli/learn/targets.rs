@@ -1,25 +1,25 @@
-//! Random targets in the ranges that a system must reach.
+//! Random targets in the ranges of attributes that a system must be able to grow.
 
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::rd::System;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
-/// px².
+/// Range of the areas of spots, px².
 const AREA: [f64; 2] = [40.0, 1_500.0];
 const ASPECT: [f64; 2] = [0.3, 1.0];
-/// area ÷ spacing², of Meinhardt's spots; Turing's have their own.
+/// Range of area ÷ spacing² of Meinhardt's spots; Turing's spots have their own.
 const DENSITY: [f64; 2] = [0.02, 0.2];
-/// px.
+/// Range of the widths of stripes, px.
 const WIDTH: [f64; 2] = [3.0, 40.0];
 
-/// Stripe ÷ period, of lines.
+/// Range of stripe width ÷ period, for Meinhardt's lines.
 const DUTY: [f64; 2] = [0.2, 0.5];
 
-/// A target, px.
+/// A target; lengths in px.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Target {
-    /// The wanted attributes; without spacing for Turing's spots.
+    /// The attributes that are asked for; without a spacing for Turing's spots.
     pub wanted: Attributes,
     /// The seed of its growth.
     pub seed: u64,

@@ -1,4 +1,4 @@
-//! The ways from attributes to parameters that are compared.
+//! The methods, from attributes to parameters, that are compared.
 
 use crate::attributes::Attributes;
 use crate::cli::Error;
@@ -8,17 +8,18 @@ use crate::synth::marks::grow::probe::{ProbeError, When, probed};
 use crate::synth::marks::plan::Answers;
 use crate::synth::{Training, Watch};
 
-/// A way from attributes to parameters.
+/// A method that finds parameters for attributes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
-    /// From the rows alone.
+    /// From the training rows alone.
     Learnt(Method),
-    /// By local regression, corrected by growths of a patch; the level of the growth is then corrected. As `dapple grow` does.
+    /// By local regression, corrected by growths of a patch; the level of the growth is then corrected. `dapple grow`
+    /// does this.
     Refined,
 }
 
 impl Way {
-    /// What `dapple grow --no-refine` does.
+    /// The method of `dapple grow --no-refine`.
     pub const REGRESSION: Self = Self::Learnt(Method::LocalRegression);
 
     /// Its name in tables.
@@ -59,8 +60,8 @@ impl Way {
         }
     }
 
-    /// Why there is no answer for `wanted`: it is outside of the training set, or was moved into it. `None` if there is an answer,
-    /// or if the way has no limits.
+    /// Why there is no answer for `wanted`: it is outside the training set, or was moved into it. `None` if there is an
+    /// answer, or if the method has no limits.
     pub fn refusal(
         self,
         training: &Training,

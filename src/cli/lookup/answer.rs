@@ -12,7 +12,7 @@ use std::fmt::Write;
 /// A question and its answer. Lengths are px, parameters are for a grid of `cell` px a cell.
 pub(super) struct LookupReport {
     pub system: System,
-    /// Whether stripes are the gaps between the lines that the parameters grow.
+    /// Whether the parameters grow the gaps between the stripes, as lines.
     pub inverted: bool,
     pub asked: Attributes,
     pub cell: f64,
@@ -33,7 +33,7 @@ impl LookupReport {
         Ok(Self { system, inverted, asked: *wanted, cell, answer, notes })
     }
 
-    /// Names and values of the parameters, see [`named_parameters`].
+    /// Names and values of the parameters: [`named_parameters`].
     fn parameters(&self) -> Vec<(&'static str, f64)> {
         named_parameters(&self.answer.parameters, self.answer.pitch, self.cell)
     }
@@ -96,15 +96,15 @@ impl LookupReport {
     }
 }
 
-/// The system that is asked; where it is not chosen, the first that grows spots of any spacing.
+/// The system that is asked for; where none is chosen, the first one that grows spots of any spacing.
 pub(super) fn system_of(choice: SystemChoice) -> System {
     let system = choice.system().or_else(|| System::first(|system| system.free_spacing));
     system.expect("a system grows spots of any spacing")
 }
 
-/// The notes in words, and the spacing, px, that was taken where it was free.
+/// The notes as text, with the spacing, px, that was chosen where it was free.
 pub(super) fn worded(notes: &[Note], free_spacing: Option<f64>) -> Vec<String> {
-    let free = free_spacing.map(|spacing| format!("spacing is free: {} px taken", brief(spacing)));
+    let free = free_spacing.map(|spacing| format!("no spacing given: {} px chosen", brief(spacing)));
     notes.iter().map(ToString::to_string).chain(free).collect()
 }
 
@@ -203,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn a_free_spacing_is_left_out_of_what_was_asked_and_noted() {
+    fn a_spacing_that_was_not_given_is_not_among_the_asked_values_but_noted() {
         let looked = LookupReport::new(
             &Training::default(),
             SystemChoice::Of(System::MEINHARDT_SPOTS.description()),
@@ -211,7 +211,7 @@ mod tests {
         )
         .unwrap();
         assert_eq!(keys(&looked.json()["asked"]), ["area", "aspect", "angle"]);
-        assert!(looked.text().contains("note:       spacing is free: "), "{}", looked.text());
+        assert!(looked.text().contains("note:       no spacing given: "), "{}", looked.text());
         assert!(
             looked
                 .text()

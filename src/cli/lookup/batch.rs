@@ -44,7 +44,7 @@ pub(super) struct Questions<'a, R> {
     /// The place of each of [`COLUMNS`] in a row.
     places: [Option<usize>; COLUMNS.len()],
     form: Form,
-    /// Whether numbers have decimal commas; known with the first rows.
+    /// Whether numbers have decimal commas; known once the first rows are read.
     has_commas: Option<bool>,
 }
 
@@ -55,9 +55,9 @@ pub(super) struct Question {
     /// Whether its numbers have decimal commas.
     has_commas: bool,
     pub system: SystemChoice,
-    /// Whether the row leaves the system open; the note then names it.
+    /// Whether the row leaves the choice of the system open; the note then names it.
     is_open: bool,
-    /// px.
+    /// The attributes that the row asks for, px.
     pub wanted: Attributes,
 }
 
@@ -70,7 +70,7 @@ struct Row<'a> {
 }
 
 impl<'a> Row<'a> {
-    /// The cells of a row; `None` where one is no UTF-8. Other columns may hold any bytes.
+    /// The cells of a row; `None` where one is not UTF-8. Other columns may hold any bytes.
     fn of(file: &'a str, line: u64, cell: impl Fn(usize) -> Option<&'a [u8]>, form: Form) -> Option<Self> {
         let mut cells: [String; COLUMNS.len()] = Default::default();
         for (column, text) in cells.iter_mut().enumerate() {
@@ -113,7 +113,7 @@ impl<'a> Row<'a> {
 
     fn question(&self, record: &ByteRecord) -> Result<Question, BatchError> {
         let asked = self.value("system", values::system)?;
-        let system = values::stripes_with(asked, !self.text("duty").is_empty());
+        let system = asked.with_stripes_chosen(!self.text("duty").is_empty());
         let is_open = asked != system;
         let wanted = if system.grows() == Some(Kind::Line) {
             self.empty(&["area", "aspect", "spacing"], "stripes")?;
@@ -197,7 +197,7 @@ impl<'a, R: Read> Questions<'a, R> {
         Ok(Self { file, reader, header, places, form, has_commas: None })
     }
 
-    /// Reads and checks the next rows, `most` at most; none at the end of the table.
+    /// Reads and checks the next rows, at most `most` of them; none at the end of the table.
     pub fn next_rows(&mut self, most: usize) -> Result<Vec<Question>, Error> {
         let Self { file, reader, places, form, .. } = self;
         let read_to = reader.position().byte();
@@ -227,8 +227,8 @@ impl<'a, R: Read> Questions<'a, R> {
     }
 }
 
-/// Whether a name is a known one with other letters in upper case, or with its letters in another order: other names are those of columns
-/// that are copied.
+/// Whether a name is a known one with other capital letters, or with its letters in another order. Columns with any
+/// other name are copied.
 fn is_misspelt(column: &str, bytes: &[u8]) -> bool {
     let sorted = |bytes: &[u8]| {
         let mut letters = bytes.to_ascii_lowercase();
@@ -252,12 +252,12 @@ fn broken<R>(file: &str, input: &Remembering<R>, error: csv::Error) -> Error {
 struct Remembering<R> {
     input: R,
     bytes: Vec<u8>,
-    /// The place of the first of these in the input.
+    /// The position of the first of these bytes in the input.
     first: u64,
 }
 
 impl<R> Remembering<R> {
-    /// The line of a record, which empty lines may precede.
+    /// The line of a record. Empty lines may precede it.
     fn line_of(&self, position: Option<&Position>) -> u64 {
         let Some(position) = position else { return 1 };
         let mut from_here = position.clone();
@@ -281,7 +281,7 @@ impl<R: Read> Read for Remembering<R> {
     }
 }
 
-/// The reader's message without the line, which our own message begins with.
+/// The message of the reader without the line number, with which dapple's own message begins.
 fn problem(error: &csv::Error) -> String {
     match error.kind() {
         csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
@@ -296,7 +296,7 @@ fn problem(error: &csv::Error) -> String {
 pub(super) struct Answers<W: Write>(Writer<W>);
 
 impl<W: Write> Answers<W> {
-    /// Begins the table of the answers to `questions`, in its form.
+    /// Begins the table with the answers to `questions`, in the form of that table.
     pub fn new<R>(questions: &Questions<R>, output: W) -> Result<Self, Error> {
         let mut writer = WriterBuilder::new().delimiter(questions.form.delimiter).from_writer(output);
         let answers = ANSWERS.iter().map(|name| name.as_bytes());
@@ -319,7 +319,7 @@ impl<W: Write> Answers<W> {
 fn unwritable(error: csv::Error) -> Error {
     match error.into_kind() {
         csv::ErrorKind::Io(source) => Error::Output(source),
-        // Rows of one length are written.
+        // All rows that are written have the same length.
         other => Error::Output(io::Error::other(format!("{other:?}"))),
     }
 }

@@ -10,7 +10,7 @@ use crate::document::{AreaKind, LayerOptions, SystemChoice};
 use crate::learn::Coverage;
 use crate::synth::closed_form::{ClosedForm, Named, lines, patches};
 
-/// What is said of every such answer.
+/// The note on every answer by a law.
 const BY_LAW: &str = "by laws in closed form, without training rows";
 
 /// A question and its answer by a law. Lengths are px.
@@ -21,10 +21,11 @@ pub(super) struct LawReport {
 }
 
 impl LawReport {
-    /// What a law says of `wanted`; `None` where `system` has training rows instead, or neither.
+    /// The answer of a law for `wanted`; `None` where `system` has training rows, or neither rows nor a law.
     ///
     /// # Errors
-    /// [`Error::Usage`] where a `raggedness` is asked for of what has none.
+    ///
+    /// [`Error::Usage`] where a `raggedness` is given for a system that has none.
     pub fn new(
         system: SystemChoice,
         wanted: &Attributes,
@@ -58,7 +59,7 @@ impl LawReport {
         self.answer.notes.iter().map(String::as_str).chain([BY_LAW])
     }
 
-    /// The JSON of `lookup --json`; what is predicted is the nearest that can be reached.
+    /// The JSON of `lookup --json`. The predicted values are the nearest that can be reached.
     pub fn json(&self) -> Value {
         let object = |named: &[Named]| -> Map<String, Value> {
             named.iter().map(|(name, value)| ((*name).to_owned(), json!(value))).collect()

@@ -19,7 +19,7 @@ use crate::synth::report::NOTED;
 
 /// Periods along the side of the canvas for which parameters are looked up.
 const PERIODS: f64 = 16.0;
-/// Cells on it.
+/// Cells along the side of the canvas.
 const CELLS: f64 = 120.0;
 
 /// A value by its name.
@@ -38,10 +38,12 @@ pub(super) struct PairReport {
 }
 
 impl PairReport {
-    /// What the law and the rows say of `wanted`.
+    /// The answer of the law and the rows for `wanted`.
     ///
     /// # Errors
-    /// [`Error::Usage`] where directions are missing or an option is of another system; a training set that cannot be read.
+    ///
+    /// [`Error::Usage`] where directions are missing, or where an option belongs to another system; a training set that
+    /// cannot be read.
     pub fn new(
         training: &Training,
         system: SystemChoice,
@@ -89,7 +91,7 @@ impl PairReport {
         Ok(report.covered(&answers, rows))
     }
 
-    /// Adds pair `pair` of `plan`, which was drawn as lines of a direction with this number in names.
+    /// Adds pair `pair` of `plan`, which was drawn as lines of the direction that has this number in names.
     fn add(
         &mut self,
         plan: &PairPlan,
@@ -114,7 +116,7 @@ impl PairReport {
         if *asks_period {
             self.asked.push((name("period"), threads.period));
         } else {
-            self.notes.push(format!("{} is free: {} px taken", name("period"), brief(threads.period)));
+            self.notes.push(format!("no {} given: {} px chosen", name("period"), brief(threads.period)));
         }
         self.asked.push((name("angle"), *angle));
         self.parameters.push((name("direction"), *angle));
@@ -176,8 +178,9 @@ impl PairReport {
             None => self.notes.push("by the law alone, without training rows".to_owned()),
             Some(rows) if !known => {
                 let asked = rows.asked().collect::<Vec<_>>().join(", ");
-                self.notes
-                    .push(format!("beyond the rows in one of {asked}: what they say at their ends is taken"));
+                self.notes.push(format!(
+                    "outside the training rows in one of {asked}: the values at the end of the rows are used"
+                ));
             }
             Some(_) => {}
         }

@@ -1,4 +1,4 @@
-//! The sketch that stands for a question about a system of pairs.
+//! A sketch that is equivalent to a question about a system of pairs.
 
 use super::Args;
 use super::answer::brief;
@@ -13,12 +13,12 @@ use crate::synth::pairs::plan::least_between;
 use crate::synth::pairs::plan::thread_map::OWN_DUTY;
 use crate::synth::side_by_side;
 
-/// Allowed sides of its canvas, px: the smallest is taken for what is finer.
+/// Limits of the sides of its canvas, px. The smallest side is used where a smaller one would be enough.
 const SIDES: [f64; 2] = [64.0, limits::MAX_SIDE as f64];
-/// Length of the pieces of a maze ÷ period where none is asked.
+/// Length of the pieces of a maze ÷ period, where none is given.
 const LONG: f64 = 4.0;
 
-/// The side of a canvas on which this `name`d length, px, fits so many times.
+/// The side of a canvas, px, on which the length with this `name`, px, fits `times` times.
 ///
 /// # Errors
 /// [`Error::Usage`] where there is no such canvas; `key` is the option that asks for the length.
@@ -33,10 +33,11 @@ pub fn side(key: &str, name: &str, times: f64, length: f64) -> Result<f64, Error
     Ok((times * length).max(least))
 }
 
-/// The document, where it could be drawn.
+/// The document, if it could be drawn.
 ///
 /// # Errors
-/// [`Error::Usage`] with what of it is out of range: a mark too small or too large.
+///
+/// [`Error::Usage`] with what is out of range: a mark that is too small or too large.
 pub fn checked(document: Document) -> Result<Document, Error> {
     let source = "the sketch for the question";
     document.check(source).map_err(|error| Error::Usage(error.to_string()))?;
@@ -49,14 +50,14 @@ pub struct Direction {
     pub angle: f64,
     /// Width and period, px.
     pub threads: Threads,
-    /// Whether the period is asked for: it follows from a duty, and one that is not asked for is the usual one.
+    /// Whether the period was asked for. It follows from a duty; where no duty is given, the usual period is used.
     pub asks_period: bool,
 }
 
 /// The directions that the arguments ask for.
 ///
 /// # Errors
-/// [`Error::Usage`] where two of them are too near to each other to be two.
+/// [`Error::Usage`] where two of them are so similar that they count as one.
 pub fn directions(kind: PairKind, first: Stripes, args: &Args) -> Result<Vec<Direction>, Error> {
     let usual = match kind {
         PairKind::Weave => OWN_DUTY[usize::from(args.across.len() > 1)],
@@ -93,7 +94,7 @@ pub fn document(kind: PairKind, all: &[Direction], side: f64, args: &Args) -> Do
     let options = LayerOptions {
         decay: args.decay.unwrap_or(usual.decay),
         duty: match args.duty {
-            // One duty for all.
+            // All directions have the same duty.
             Some(duty)
                 if kind != PairKind::Weave && args.across.iter().all(|across| across.duty.is_none()) =>
             {

@@ -25,7 +25,7 @@ impl Thumbnail {
         Self { size, rgb }
     }
 
-    /// A picture of a growth, `side` px along its longer side.
+    /// A picture of a growth; its longer side has `side` px.
     pub fn new(document: &Document, grown: &Grown, side: usize) -> Self {
         let size = fitted(grown.size, side);
         let fine = size.map(|side| SUPERSAMPLING * side);
@@ -41,7 +41,7 @@ pub struct Contact {
 }
 
 impl Contact {
-    /// An empty sheet for pictures of `side` px along their longer side; `title` stands before each name.
+    /// An empty sheet for pictures whose longer side has `side` px; `title` precedes each name.
     pub fn new(title: Option<String>, side: usize) -> Self {
         Self { title, side, pictures: Vec::new() }
     }

@@ -18,7 +18,7 @@ pub struct Spot {
     pub top: usize,
     /// Their width and height.
     pub size: [usize; 2],
-    /// Upper edge of the seed's text beneath each.
+    /// Upper edge of the text with the seed below each picture.
     pub seeds: usize,
     /// The upper left corner of its name.
     pub name: [usize; 2],
@@ -61,8 +61,8 @@ pub fn columns(documents: usize, seeds: usize) -> usize {
 }
 
 impl Layout {
-    /// Lays out documents of these `shapes`, `columns` in a row, each with `seeds` pictures and `under` px beneath them. A row is
-    /// as high as its highest document.
+    /// Lays out documents of these `shapes`, `columns` in a row, each with `seeds` pictures and `under` px below them.
+    /// A row is as high as its highest document.
     pub fn new(shapes: &[Shape], columns: usize, thumb: usize, seeds: usize, under: usize) -> Self {
         let columns = columns.min(shapes.len()).max(1);
         let gap = gap(thumb);

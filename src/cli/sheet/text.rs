@@ -22,7 +22,7 @@ pub struct Pen {
 }
 
 impl Pen {
-    /// A pen with a text size for pictures of `thumb` px.
+    /// A pen whose text size is right for pictures of `thumb` px.
     pub fn for_pictures_of(thumb: usize) -> Self {
         let high = (thumb as f32 / 15.0).clamp(13.0, 48.0);
         let font = FontRef::try_from_slice(FONT).expect("the built-in font is valid");
@@ -39,7 +39,7 @@ impl Pen {
         self.font.glyph_id(if letter.is_control() || letter.is_whitespace() { ' ' } else { letter })
     }
 
-    /// Breaks a text into at most `most` lines of `width` px, between words if possible; what does not fit is replaced by an
+    /// Breaks a text into at most `most` lines of `width` px, between words if possible; the rest is replaced by an
     /// ellipsis.
     pub fn wrap(&self, text: &str, width: usize, most: usize) -> Vec<String> {
         let fits = |line: &str| self.width(line) <= width as f32;

@@ -1,4 +1,4 @@
-//! Recovery files: each window has one, `ID.dapple`, and a lock `ID.lock` that it holds while it lives. A file whose
+//! Recovery files: each window has one, `ID.dapple`, and a lock `ID.lock` that it holds while it is open. A file whose
 //! lock is free belongs to a window that has crashed.
 
 use std::io::{self, Read, Write};
@@ -20,7 +20,7 @@ const STALE: u64 = 600;
 /// Most bytes of the header.
 const MAX_HEADER: u64 = 65_536;
 
-/// The recovery file of a living window.
+/// The recovery file of an open window.
 #[derive(Debug)]
 pub struct BackupFile {
     file: PathBuf,
@@ -33,7 +33,7 @@ pub struct BackupFile {
 pub struct LostDocument {
     /// The document.
     pub backup: Backup,
-    /// When it was written, by the clock of that time.
+    /// The time at which it was written.
     pub when: SystemTime,
     /// Its marks, with their layers.
     pub marks: Vec<(usize, Mark)>,
@@ -46,17 +46,17 @@ pub struct LostDocument {
     pub(super) file: BackupFile,
 }
 
-/// What [`find`] found.
+/// The result of [`find`].
 #[derive(Debug, Default)]
 pub struct Found {
-    /// The latest first.
+    /// The lost documents, the latest first.
     pub lost: Vec<LostDocument>,
     /// Files that could not be read: messages for the user.
     pub errors: Vec<String>,
 }
 
 impl BackupFile {
-    /// A new one in `folder`, which is made where it is missing.
+    /// A new recovery file in `folder`, which is created where it is missing.
     ///
     /// # Errors
     /// Where the folder cannot be made or written.
@@ -79,7 +79,7 @@ impl BackupFile {
         }
     }
 
-    /// Writes a backup. Afterwards the file holds all of it, or after an error what it held before.
+    /// Writes a backup. Afterwards the file holds the whole backup, or, after an error, its earlier content.
     ///
     /// # Errors
     /// What went wrong, with the file's name and the remedy.
@@ -87,13 +87,13 @@ impl BackupFile {
         let text = format::write(backup, SystemTime::now());
         files::save(&self.file, |out| Ok(out.write_all(text.as_bytes())?))?;
         if let Some(folder) = self.file.parent().and_then(|folder| File::open(folder).ok()) {
-            // The name has to be on the disk as well; not every system can do this.
+            // The name must also be on the disk; not every system supports this.
             let _ = folder.sync_all();
         }
         Ok(())
     }
 
-    /// The name by which it is known while the program runs.
+    /// The name by which the backup is known while the program runs.
     #[must_use]
     pub fn id(&self) -> String {
         self.file.file_stem().unwrap_or_default().to_string_lossy().into_owned()
@@ -102,7 +102,7 @@ impl BackupFile {
     /// Deletes the backup; the window goes on using the file.
     ///
     /// # Errors
-    /// Where that is not permitted.
+    /// Where deleting is not permitted.
     pub fn clear(&self) -> io::Result<()> {
         match fs::remove_file(&self.file) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
@@ -112,7 +112,7 @@ impl BackupFile {
 }
 
 impl Drop for BackupFile {
-    /// Releases the lock. What the file holds is now a lost document; without one, nothing is left behind.
+    /// Releases the lock. The content of the file is now a lost document; if there is none, no file is left.
     fn drop(&mut self) {
         self.lock = None;
         if !fs::exists(&self.file) {
@@ -128,16 +128,16 @@ impl LostDocument {
         self.file.id()
     }
 
-    /// Deletes it.
+    /// Deletes the lost document.
     ///
     /// # Errors
-    /// Where that is not permitted.
+    /// Where deleting is not permitted.
     pub fn delete(self) -> io::Result<()> {
         self.file.clear()
     }
 }
 
-/// Looks for lost documents in `folder`. No other window finds the same ones until they are dropped.
+/// Looks for lost documents in `folder`. Other windows do not find these documents until they are dropped here.
 #[must_use]
 pub fn find(folder: &Path) -> Found {
     let mut found = Found::default();
@@ -213,7 +213,7 @@ fn read(file: &Path) -> Result<(Backup, SystemTime), String> {
     format::read(&text)
 }
 
-/// Seconds since it was written.
+/// Seconds since the file was written.
 fn age(file: &Path) -> Option<u64> {
     Some(fs::metadata(file).ok()?.modified().ok()?.elapsed().ok()?.as_secs())
 }

@@ -1,4 +1,4 @@
-//! The text of a recovery file: what it is, a header in JSON, and the document.
+//! The text of a recovery file: a first line that names the format, a header in JSON, and the document.
 //!
 //! ```text
 //! dapple recovery 2
@@ -19,7 +19,7 @@ use crate::document::Document;
 use crate::editor::path_encoding;
 use crate::machine::clock::{SystemTime, UNIX_EPOCH};
 
-/// An unsaved document, as it is kept against a crash.
+/// An unsaved document, backed up in case of a crash.
 #[derive(Clone, Debug)]
 pub struct Backup {
     /// The document.
@@ -55,7 +55,7 @@ pub(super) fn write(backup: &Backup, when: SystemTime) -> String {
     format!("{FORMAT}{VERSION}\n{header}\n\n{}", backup.document.to_json())
 }
 
-/// What a file holds, and when it was written.
+/// The content of a file, and the time at which it was written.
 ///
 /// # Errors
 /// What is wrong with the text.
@@ -70,7 +70,7 @@ pub(super) fn read(text: &str) -> Result<(Backup, SystemTime), String> {
     let document = Document::parse(document, "the unsaved document").map_err(|error| error.to_string())?;
     let name = path_encoding::decode(&header.name).to_string_lossy().into_owned();
     let path = header.file.as_deref().map(path_encoding::decode);
-    // A time that the clock cannot represent is no reason to lose a document.
+    // A time that the clock cannot represent must not make the document unreadable.
     let when = UNIX_EPOCH.checked_add(Duration::from_millis(header.when)).unwrap_or(UNIX_EPOCH);
     Ok((Backup { document, path, name }, when))
 }

@@ -1,4 +1,4 @@
-//! Unsaved work survives a crash: what is not saved yet is kept in a recovery file of the window, and the files of
+//! Keeps unsaved work safe from a crash: each window writes its unsaved work to a recovery file, and the files of
 //! windows that have crashed are offered at the next start.
 
 mod backup;
@@ -20,7 +20,7 @@ use crate::machine::clock::Instant;
 use crate::marks::Mark;
 use writer::{News, Writer};
 
-/// A mark that takes longer to draw is kept before it is finished, and again after the same time.
+/// A mark that takes longer than this to draw is backed up before it is finished, and again after each such time.
 const LONG: Duration = Duration::from_millis(1500);
 
 /// The unsaved work of a window, and the documents that other windows have lost.
@@ -29,7 +29,7 @@ pub struct Recovery {
     tasks: Tasks,
     writer: Option<Writer>,
     search: Option<Task<Found>>,
-    /// Whether what the search finds is offered.
+    /// Whether the results of the search are offered to the user.
     is_offering: bool,
     /// Discarded documents that are being deleted.
     deleting: Vec<Writing<Result<(), String>>>,
@@ -37,13 +37,13 @@ pub struct Recovery {
     lost: Vec<LostDocument>,
     /// The number of lost documents at the last search.
     undecided: usize,
-    /// Restored documents that are not in this window's own file yet.
+    /// Restored documents that are not yet in this window's own recovery file.
     restored: Vec<LostDocument>,
     /// The revision at the last update, and whether there was unsaved work.
     seen: Option<(u64, bool)>,
-    /// The time of the last update that handed something over.
+    /// The time of the last update that started a write.
     since: Instant,
-    /// Whether that held an unfinished mark.
+    /// Whether that update held an unfinished mark.
     had_pending: bool,
     is_kept: bool,
     is_stopped: bool,
@@ -51,7 +51,7 @@ pub struct Recovery {
 }
 
 impl Recovery {
-    /// Keeps unsaved work in `folder`; `None` = nowhere. Nothing is searched for yet.
+    /// Backs up unsaved work in `folder`; `None` = no backups. Does not search yet.
     #[must_use]
     pub fn new(folder: Option<PathBuf>, tasks: Tasks) -> Self {
         Self {
@@ -83,7 +83,7 @@ impl Recovery {
         let Some(folder) = self.folder.clone().filter(|_| self.search.is_none()) else { return Ok(()) };
         let before = std::mem::take(&mut self.lost);
         let work = move |worker: &Worker<_>| {
-            // Released first: the search finds them again.
+            // Released first, so that the search finds them again.
             drop(before);
             worker.send(find(&folder));
         };
@@ -103,7 +103,7 @@ impl Recovery {
         self.is_searching() || !self.deleting.is_empty()
     }
 
-    /// Receives what the search has found and what was deleted; never waits. Returns error messages.
+    /// Receives the results of searching and deleting; never blocks. Returns error messages.
     pub fn listen(&mut self) -> Vec<String> {
         let mut errors = Vec::new();
         self.deleting.retain_mut(|deleting| {
@@ -155,8 +155,8 @@ impl Recovery {
         self.undecided
     }
 
-    /// Restores the lost document `id`: the session to open, and its name. From the next [`Self::update`] on it is kept
-    /// as this window's own work.
+    /// Restores the lost document `id`: the session to open, and its name. From the next [`Self::update`] on it is
+    /// backed up as this window's own work.
     pub fn restore(&mut self, id: &str) -> Option<(Session, String)> {
         let lost = self.lost.remove(self.position(id)?);
         self.postpone();
@@ -184,17 +184,17 @@ impl Recovery {
         self.seen = None;
     }
 
-    /// Whether it is time to keep an unfinished mark.
+    /// Whether it is time to back up an unfinished mark.
     #[must_use]
     pub fn is_due(&self) -> bool {
         self.folder.is_some() && self.since.elapsed() >= LONG
     }
 
-    /// Keeps what has changed since the last update: the session, and a mark that is being drawn. Returns how long the
-    /// last write took, or why it failed; never waits.
+    /// Backs up what has changed since the last update: the session, and a mark that is being drawn. Returns how long
+    /// the last write took, or why it failed; never blocks.
     pub fn update(&mut self, session: &Session, pending: Option<Mark>) -> Option<Result<Duration, String>> {
         let is_unsaved = (session.is_changed() || pending.is_some()) && !self.is_stopped;
-        // The unfinished mark is in the document by now, or was dropped.
+        // By now the unfinished mark is part of the document, or was dropped.
         let was_finished = self.had_pending && pending.is_none() && self.is_due();
         let seen = Some((session.revision(), is_unsaved));
         if self.seen != seen || pending.is_some() || was_finished {
@@ -208,7 +208,7 @@ impl Recovery {
                 self.has_failed = false;
                 Some(Ok(took))
             }
-            // Reported once, until it succeeds again.
+            // A failure is reported once, until a write succeeds again.
             News::Failed(_) if std::mem::replace(&mut self.has_failed, true) => None,
             News::Failed(why) => Some(Err(why)),
         }
@@ -235,7 +235,7 @@ impl Recovery {
         }
     }
 
-    /// Keeps nothing any more: the work was saved, or the user does not want it.
+    /// Stops the backups: the work was saved, or the user does not want it.
     pub fn stop(&mut self) {
         self.is_stopped = true;
     }

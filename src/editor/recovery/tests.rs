@@ -104,7 +104,7 @@ fn a_file_of_an_older_dapple_is_found() {
 }
 
 #[test]
-fn a_backup_that_equals_its_file_is_not_lost() {
+fn a_backup_that_equals_its_file_is_not_offered() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("mine.dapple");
     let recovery = folder.path().join("recovery");
@@ -156,7 +156,7 @@ fn a_missing_folder_holds_no_backups() {
     assert!(found.lost.is_empty() && found.errors.is_empty());
 }
 
-/// Waits for what comes of a write; `woken` gets something each time when a task has a message or ends.
+/// Waits for the result of a write. `woken` gets a message each time a task has a message or ends.
 fn outcome(recovery: &mut Recovery, session: &Session, woken: &Receiver<()>) -> Result<Duration, String> {
     loop {
         if let Some(outcome) = recovery.update(session, None) {
@@ -218,7 +218,7 @@ fn searched(folder: &Path) -> (Recovery, Vec<String>) {
     (recovery, errors)
 }
 
-/// Waits until nothing is searched for and nothing is deleted.
+/// Waits until no search and no deletion is running.
 fn heard(recovery: &mut Recovery) -> Vec<String> {
     let mut errors = Vec::new();
     while recovery.is_busy() {
@@ -229,7 +229,7 @@ fn heard(recovery: &mut Recovery) -> Vec<String> {
 }
 
 #[test]
-fn what_was_postponed_is_found_by_the_next_search() {
+fn a_postponed_document_is_found_by_the_next_search() {
     let folder = tempfile::tempdir().unwrap();
     BackupFile::new(folder.path()).unwrap().write(&backup(50.0, None)).unwrap();
     let (mut recovery, errors) = searched(folder.path());
@@ -240,7 +240,7 @@ fn what_was_postponed_is_found_by_the_next_search() {
     recovery.search().unwrap();
     heard(&mut recovery);
     assert_eq!(recovery.lost().len(), 1);
-    // A search that is asked for while one is running gets what that one finds.
+    // A search that is requested while one is running gets the results of that one.
     recovery.search().unwrap();
     recovery.postpone();
     recovery.search().unwrap();
@@ -249,7 +249,7 @@ fn what_was_postponed_is_found_by_the_next_search() {
 }
 
 #[test]
-fn what_a_search_finds_after_the_offer_has_ended_is_counted_and_released() {
+fn documents_found_after_the_offer_has_ended_are_counted_and_released() {
     let folder = tempfile::tempdir().unwrap();
     BackupFile::new(folder.path()).unwrap().write(&backup(50.0, None)).unwrap();
     let mut recovery = Recovery::new(Some(folder.path().to_owned()), Tasks::default());
@@ -261,7 +261,7 @@ fn what_a_search_finds_after_the_offer_has_ended_is_counted_and_released() {
 }
 
 #[test]
-fn a_restored_document_is_compared_with_what_its_file_holds() {
+fn a_restored_document_is_compared_with_its_file() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("mine.dapple");
     let saved = backup(70.0, None).document;

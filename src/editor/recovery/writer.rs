@@ -1,4 +1,5 @@
-//! Writes recovery files on a background thread: the newest document wins, and the window never waits for the disk.
+//! Writes recovery files on a background thread: where several documents wait, only the newest is written, and the
+//! window never waits for the disk.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -10,16 +11,16 @@ use crate::editor::task::{Task, Tasks, Worker};
 use crate::machine::clock::Instant;
 use crate::machine::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Least time between two writes. Together with what a slow disk takes it is well below the five seconds of work that
-/// a crash may cost.
+/// Least time between two writes. Together with the time that a slow disk takes, it is well below the five seconds of
+/// work that a crash may cost.
 const BETWEEN: Duration = Duration::from_millis(1500);
 
-/// What came of a write.
+/// The result of a write.
 #[derive(Debug)]
 pub enum News {
     /// The backup is on the disk; writing it took this time.
     Written(Duration),
-    /// It could not be written: why.
+    /// The backup could not be written: why.
     Failed(String),
 }
 
@@ -33,9 +34,9 @@ struct Inbox {
     job: Option<Job>,
     /// Restored documents: the next backup holds them, after which their own files are deleted.
     restored: Vec<LostDocument>,
-    /// Whether a task takes jobs from here.
+    /// Whether a task is taking jobs from this inbox.
     served: bool,
-    /// The next write waits until then.
+    /// The next write starts no earlier than this.
     not_before: Option<Instant>,
 }
 
@@ -51,7 +52,7 @@ pub struct Writer {
     tasks: Tasks,
     shared: Arc<Shared>,
     task: Option<Task<News>>,
-    /// What earlier tasks sent and nobody has asked for yet.
+    /// Results that earlier tasks sent and that were not read yet.
     unread: Vec<News>,
 }
 
@@ -88,7 +89,7 @@ impl Writer {
             return;
         }
         if let Some(task) = self.task.take() {
-            // It takes no more jobs and ends at once.
+            // The task takes no more jobs and ends at once.
             self.unread.extend(task.join());
         }
         let shared = Arc::clone(&self.shared);
@@ -101,7 +102,7 @@ impl Writer {
         }
     }
 
-    /// What came of the writes so far, one after the other; never waits.
+    /// The results of the writes so far, one at a time; never blocks.
     pub fn news(&mut self) -> Option<News> {
         if self.unread.is_empty() {
             return self.task.as_mut().and_then(Task::poll);
@@ -111,10 +112,10 @@ impl Writer {
 }
 
 impl Drop for Writer {
-    /// Does what is still to be done.
+    /// Does the jobs that are still waiting.
     fn drop(&mut self) {
         if let Some(task) = self.task.take() {
-            // Its waiting ends, not its work.
+            // This ends the waiting of the task, not its work.
             task.cancel();
             task.join();
         }
@@ -132,11 +133,12 @@ impl Shared {
         self.inbox.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The next job; `Ok(None)` = there is none, and the inbox is no longer served; an error = not before this time.
+    /// The next job. `Ok(None)` = there is none, and no task serves the inbox any more. An error = the time before
+    /// which no job may start.
     fn take(&self, may_wait: bool) -> Result<Option<(Job, Vec<LostDocument>)>, Instant> {
         let mut inbox = self.inbox();
         let not_before = inbox.not_before.filter(|time| may_wait && Instant::now() < *time);
-        // Clearing never waits.
+        // Clearing need not wait.
         if let (Some(Job::Write(_)), Some(time)) = (&inbox.job, not_before) {
             return Err(time);
         }
@@ -179,7 +181,7 @@ impl Shared {
                         News::Written(began.elapsed())
                     }
                     Err(why) => {
-                        // Their own files are the only ones that hold them until a write succeeds.
+                        // Until a write succeeds, only their own files hold these documents.
                         inbox.restored.extend(restored);
                         News::Failed(why)
                     }
@@ -203,7 +205,7 @@ impl Shared {
 
 fn delete(restored: Vec<LostDocument>) {
     for lost in restored {
-        // One that cannot be deleted is offered again, which is better than losing it.
+        // A file that cannot be deleted is offered again, which is better than losing it.
         let _ = lost.delete();
     }
 }

@@ -1,4 +1,4 @@
-//! New marks: which layer they go to, and what of a freehand stroke is kept.
+//! New marks: to which layer they go, and which part of a freehand stroke is kept.
 
 use super::Session;
 use crate::document::{Document, Kind, Layer, Stroke, limits};
@@ -17,7 +17,8 @@ impl Session {
         self.add_drawn(&drawn);
     }
 
-    /// Adds the mark that a freehand stroke with these `points` was read as, with the outline of a closed one, and selects it.
+    /// Adds the mark that was recognised in a freehand stroke with these `points`, with its outline if it is closed,
+    /// and selects it.
     pub fn add_freehand(&mut self, mark: Mark, points: &[[f64; 2]]) {
         let outline = closed_outline(points, limits::MAX_CORNERS).and_then(freehand::outline);
         let stroke = match (&mark, outline) {
@@ -27,8 +28,9 @@ impl Session {
         self.add_drawn(&[(mark, stroke)]);
     }
 
-    /// Adds a closed freehand stroke as the outline that it is, and selects it, where the active layer grows areas with outlines of
-    /// their own; says whether it did. Open strokes, and outlines that a document cannot hold, are left to [`Self::add_freehand`].
+    /// Adds a closed freehand stroke with its own outline, and selects it, where the active layer grows areas whose
+    /// outlines have any shape. Returns whether it did. Open strokes, and outlines that a document cannot hold, are
+    /// left to [`Self::add_freehand`].
     pub fn add_outline(&mut self, points: &[[f64; 2]]) -> bool {
         let grows_areas = |layer: &Layer| layer.areas().is_some();
         if !self.document.layers.get(self.active_layer).is_some_and(grows_areas)
@@ -50,7 +52,8 @@ impl Session {
         }
     }
 
-    /// Adds strokes, each changed to stand for its mark, to the layers that take such marks, and selects them.
+    /// Adds strokes, each together with the mark that it represents, to the layers that take such marks, and selects
+    /// them.
     pub(in crate::editor) fn add_drawn(&mut self, drawn: &[(Mark, Stroke)]) {
         let size = self.document.size;
         let mut added = Vec::with_capacity(drawn.len());
@@ -70,7 +73,7 @@ impl Session {
         self.selection = Selection::new(added);
     }
 
-    /// The layer that a mark of `kind` goes to; the number of layers = a new one.
+    /// The layer to which a mark of `kind` goes. The number of layers stands for a new layer.
     fn layer_for(&self, kind: Kind) -> usize {
         let accepts = |layer: usize| self.accepts(layer, kind);
         if accepts(self.active_layer) {
@@ -88,7 +91,7 @@ mod tests {
     use crate::sketch::recognise;
     use crate::synth::areas::plan::AreaPlan;
 
-    /// The pen's path through these corners, one point every 4 px.
+    /// The path of the pen through these corners, with one point every 4 px.
     fn drawn(corners: &[[f64; 2]]) -> Vec<[f64; 2]> {
         let mut points = vec![corners[0]];
         for pair in corners.windows(2) {
@@ -170,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn patches_that_are_chosen_afterwards_are_kept_as_they_were_drawn() {
+    fn outlines_are_kept_where_patches_are_chosen_after_drawing() {
         let mut session = Session::default();
         let points: Vec<[f64; 2]> = drawn(&SQUARE).iter().map(|[x, y]| [x - 300.0, *y]).collect();
         add(&mut session, &points);
@@ -179,7 +182,7 @@ mod tests {
         let document = session.finished();
         let plan = AreaPlan::read(&document, 0, "a test", [512.0; 2], None).expect("a plan");
         let [(0, kept)] = &plan.kept[..] else { panic!("one is kept") };
-        // The ellipse that fits the square reaches beyond its sides, and not into its corners.
+        // The ellipse that was fitted to the square reaches beyond its sides, and does not reach into its corners.
         assert!((kept.area() / 6400.0 - 1.0).abs() < 0.02, "{}", kept.area());
         let [low, high] = kept.corners();
         assert!((low[0] - 180.0).abs() < 2.0 && (high[1] - 440.0).abs() < 2.0, "{low:?} {high:?}");
@@ -195,7 +198,7 @@ mod tests {
         add(&mut session, &many);
         assert!(matches!(&session.document().layers[0].strokes[0], Stroke::Fitted { .. }));
         session.finished().check("the document").expect("it can be saved");
-        // A scribble that goes round several times encloses no one outline.
+        // A scribble that goes around several times does not enclose a single area.
         let scribble: Vec<[f64; 2]> = (0..400)
             .map(|k| (std::f64::consts::TAU * f64::from(k) / 90.0).sin_cos())
             .enumerate()

@@ -1,19 +1,20 @@
-//! The spacing far from all marks, which stays while these are changed.
+//! Keeps the spacing far from all marks constant while marks are changed.
 //!
-//! Without it, the rounded spacing that follows from the marks alone takes another step now and then, and everything far away is
-//! laid anew.
+//! Without this, the spacing that follows from the marks, which is rounded to steps, would sometimes change by a step,
+//! and all spots far away would get new places.
 
 use super::Session;
 use crate::attributes::free::far_spacing;
 use crate::document::{Document, Layer, limits, tile};
 use crate::marks::Mark;
 
-/// Of more marks than these the distance hardly changes when some of them do, and to find it takes more time than a frame has.
+/// With more marks than this, the spacing hardly changes when some of them change, and computing it takes longer than a
+/// frame.
 const MOST: usize = 100;
 
 impl Session {
-    /// Gives each layer whose strokes were changed, with `before` as the document, the spacing that was wanted far from them after the
-    /// last undo step: while somebody drags, what is passed on the way does not count.
+    /// Sets, on each layer whose strokes differ from the document `before`, the spacing far from the marks to the one
+    /// after the last undo step. Intermediate states during a drag do not count.
     pub(super) fn keep_far_spacing(&mut self, before: &Document) {
         let layers = self.document.layers.len();
         if layers != before.layers.len() || self.document.regions.is_some() {
@@ -27,7 +28,7 @@ impl Session {
             let known = self.far_spacing.get_or_insert_with(|| all_far_spacings(before, &self.marks));
             let known = known.get(index).copied().flatten();
             let spacing = match self.committed.document.layers.get(index) {
-                // All is as it was: there is nothing to undo.
+                // Nothing has changed, so there is nothing to undo.
                 Some(committed) if committed.strokes == now.strokes => committed.far_spacing,
                 _ => known.filter(|_| now.strokes.len() > 1),
             };
@@ -36,7 +37,7 @@ impl Session {
     }
 }
 
-/// The spacing wanted far from the ellipses of each layer of `document`, whose strokes stand for `marks`.
+/// The spacing far from the ellipses of each layer of `document`, whose strokes represent `marks`.
 fn all_far_spacings(document: &Document, marks: &[Vec<Option<Mark>>]) -> Vec<Option<f64>> {
     let size = document.size.map(f64::from);
     if tile::is_too_narrow(size, document.edges) {
@@ -79,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_wanted_far_from_all_marks_stays_while_these_are_moved() {
+    fn the_spacing_far_from_all_marks_stays_while_marks_are_moved() {
         let mut session = session();
         assert_eq!(kept(&session), None);
         move_mark(&mut session, 1, [3.0, 2.0]);
@@ -94,12 +95,12 @@ mod tests {
     }
 
     #[test]
-    fn another_spacing_is_wanted_once_the_marks_depart_from_it() {
+    fn the_spacing_changes_once_the_marks_differ_much_from_it() {
         let mut session = session();
         move_mark(&mut session, 1, [1.0, 0.0]);
         session.commit();
         let first = kept(&session).expect("five marks");
-        // Half as far apart again: the next change finds that this is not what was wanted before.
+        // Farther apart by a half: the next change finds that the kept spacing no longer fits.
         let farther: Vec<_> = session
             .marks()
             .map(|(place, mark)| {
@@ -115,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_passed_while_a_mark_is_dragged_does_not_count() {
+    fn intermediate_places_of_a_dragged_mark_do_not_count() {
         let (mut there, mut back) = (session(), session());
         move_mark(&mut there, 0, [-2.0, 3.0]);
         for by in [[-40.0, -40.0], [200.0, 100.0], [-162.0, -57.0]] {
@@ -125,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mark_that_is_back_where_it_was_is_no_change() {
+    fn a_mark_that_returns_to_its_place_is_no_change() {
         let mut session = session();
         move_mark(&mut session, 0, [5.0, 0.0]);
         assert!(session.is_changed());
@@ -147,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mark_alone_wants_no_distance() {
+    fn a_single_mark_sets_no_spacing() {
         let mut session = session();
         let places: Vec<Place> = (1..5).map(|stroke| Place { layer: 0, stroke }).collect();
         session.remove(&places);

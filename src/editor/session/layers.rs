@@ -14,7 +14,7 @@ impl Session {
         self.frozen
     }
 
-    /// The name of a layer; an unnamed one gets the name that it has in the file.
+    /// The name of a layer; an unnamed one has the name that it gets in the file.
     #[must_use]
     pub fn layer_name(&self, layer: usize) -> String {
         let name = self.document.layers.get(layer).map_or("", |layer| layer.name.as_str());
@@ -44,7 +44,7 @@ impl Session {
         }
     }
 
-    /// Makes a layer the active one, and unfreezes it and those above it.
+    /// Makes a layer the active one, and unfreezes it and the layers above it.
     pub fn unfreeze_layer(&mut self, layer: usize) {
         if layer < self.document.layers.len() {
             self.active_layer = layer;
@@ -52,8 +52,8 @@ impl Session {
         }
     }
 
-    /// Freezes the active layer and those beneath; the lowest one above that is not frozen, or a new one, becomes active. Does
-    /// nothing when the active layer is empty.
+    /// Freezes the active layer and those beneath it. The lowest layer that is not frozen becomes active; if there is
+    /// none, a new one is added. Does nothing when the active layer is empty.
     pub fn sketch_next(&mut self) {
         if self.document.layers.get(self.active_layer).is_none_or(Layer::is_blank) {
             return;
@@ -86,7 +86,7 @@ impl Session {
         near.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(place, _)| place)
     }
 
-    /// Add an empty layer above the active one and makes it active.
+    /// Adds an empty layer above the active one and makes it active.
     pub fn add_layer(&mut self) {
         self.insert_layer(Layer::default());
     }
@@ -129,7 +129,7 @@ impl Session {
         self.active_layer -= usize::from(layer < self.active_layer);
         self.active_layer = self.active_layer.min(self.document.layers.len().saturating_sub(1));
         self.frozen -= usize::from(layer < self.frozen);
-        // Something can always be drawn on.
+        // There is always a layer to draw on.
         self.frozen = self.frozen.min(self.document.layers.len().saturating_sub(1));
     }
 
@@ -152,11 +152,11 @@ impl Session {
         });
         self.selection = selection;
         self.active_layer = new_index(self.active_layer);
-        // Layers with another layer beneath than before have to grow again.
+        // A layer that now lies on another layer than before has to grow again.
         self.frozen = self.frozen.min(from).min(to);
     }
 
-    /// Changes one layer, then resets the settings that are no longer allowed beside the others.
+    /// Changes one layer, then resets its settings that are no longer allowed together.
     pub fn change_layer(&mut self, layer: usize, change: impl FnOnce(&mut Layer)) {
         let kind = self.kind(layer);
         self.edit(|document| {
@@ -176,14 +176,14 @@ impl Session {
         }
     }
 
-    /// Whether marks of `kind` do not belong on the active layer because of how it meets those beneath.
+    /// Whether marks of `kind` do not belong on the active layer, because of its relation to the layers beneath.
     #[must_use]
     pub fn is_out_of_place(&self, kind: Kind) -> bool {
         let active = self.document.layers.get(self.active_layer);
         active.is_some_and(|layer| layer.after != After::Between) && !self.accepts(self.active_layer, kind)
     }
 
-    /// Whether a layer accepts marks of `kind`: its marks, its system and its `after` decide.
+    /// Whether a layer accepts marks of `kind`. This depends on its marks, its system and its `after`.
     pub(super) fn accepts(&self, layer: usize, kind: Kind) -> bool {
         let Some(settings) = self.document.layers.get(layer).filter(|_| layer >= self.frozen) else {
             return false;
@@ -325,7 +325,7 @@ mod tests {
         let finished = session.finished();
         assert_eq!((finished.layers[0].after, finished.layers[0].options.broken), (After::Between, 0.0));
         finished.check("what is left").unwrap();
-        // The session itself is unchanged.
+        // The session itself has not changed.
         assert_eq!(session.document().layers[1].after, After::Around);
     }
 

@@ -1,4 +1,4 @@
-//! Moves, and where they end: some part of each mark stays on the canvas.
+//! Moves marks so that some part of each stays on the canvas.
 
 use super::Session;
 use crate::editor::selection::Place;
@@ -6,7 +6,7 @@ use crate::editor::shape;
 use crate::marks::Mark;
 
 impl Session {
-    /// Moves the selected marks by `by` px, at most until one is about to leave the canvas.
+    /// Moves the selected marks by `by` px, or less, so that none of them leaves the canvas.
     pub fn nudge(&mut self, by: [f64; 2]) {
         let before: Vec<_> = self.selected().collect();
         let by = self.limit_move(&before, by);
@@ -22,7 +22,8 @@ impl Session {
             let ([low, high], reach) = (shape::extent_of(mark), shape::reach(mark));
             for axis in 0..2 {
                 let side = size[axis];
-                // Its box stays on the canvas, and its ends where a document can hold them.
+                // The bounding box of the mark stays on the canvas, and the ends of the mark stay where a document can
+                // hold them.
                 let back = (high[axis] - shape::SEEN).min(reach[0][axis] + side).max(0.0);
                 let on = (side - shape::SEEN - low[axis]).min(2.0 * side - reach[1][axis]).max(0.0);
                 by[axis] = by[axis].clamp(-back, on);
@@ -32,7 +33,7 @@ impl Session {
             let there = |mark: &Mark| shape::moved(mark, by.map(|by| share * by));
             marks.iter().any(|(_, mark)| mark.is_on(size) && !there(mark).is_on(size))
         };
-        // Beyond a corner a box is on the canvas longer than the mark.
+        // At a corner, the bounding box is still on the canvas when the mark is not.
         if leaves(1.0) {
             let last = 1.0 - shape::least_share(|back| !leaves(1.0 - back));
             by = by.map(|by| last * by);
@@ -62,7 +63,7 @@ mod tests {
         assert_eq!(center(&session, 0), [-10.0, 200.0]);
         session.nudge([-400.0, 15.0]);
         assert_eq!(center(&session, 0), [-19.0, 215.0]);
-        // Beyond a corner its box is on the canvas longer than itself.
+        // At a corner, the bounding box is still on the canvas when the mark is not.
         session.nudge([0.0, -900.0]);
         let [x, y] = center(&session, 0);
         assert!((x.hypot(y) - 20.0).abs() < 1.5 && x < 0.0, "{x} {y}");

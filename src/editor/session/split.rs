@@ -1,4 +1,4 @@
-//! Two layers of one whose spots have two sizes, or whose lines cross.
+//! Splits a layer into two, where its spots have two sizes or its lines cross.
 
 use crate::document::sketch_notes::{crossing_strokes, size_groups};
 use crate::document::{After, Colours, limits};
@@ -20,7 +20,7 @@ impl Session {
         }
     }
 
-    /// The strokes of a layer that cross earlier ones, without which no two cross.
+    /// The strokes of a layer that cross earlier ones. Without these strokes, no two lines cross.
     #[must_use]
     pub fn crossing_strokes(&self, layer: usize) -> Vec<usize> {
         self.fitted_marks().get(layer).map(|marks| crossing_strokes(marks)).unwrap_or_default()
@@ -35,7 +35,7 @@ impl Session {
         }
     }
 
-    /// Moves strokes of a layer to a new one above it. `words`: put before the names of the two.
+    /// Moves strokes of a layer to a new one above it. `words`: the words before the names of the two layers.
     fn split(&mut self, layer: usize, moved: &[usize], words: [&str; 2]) {
         if self.document().layers.len() >= limits::MAX_LAYERS {
             return;

@@ -1,4 +1,5 @@
-//! What one window has changed in the settings, and how it is merged into the file, which other windows write as well.
+//! The changes that one window has made to the settings, and how they are merged into the file, to which other windows
+//! write as well.
 
 use std::path::PathBuf;
 
@@ -6,9 +7,9 @@ use super::{Entries, lock, read, write};
 use crate::editor::path_encoding;
 use crate::machine::fs;
 
-/// Recent documents that are remembered.
+/// The number of recent documents that are kept.
 const RECENT: usize = 10;
-/// Their name in the file.
+/// The name of their list in the file.
 const NAME: &str = "recent";
 
 /// A change of the list of recent documents.
@@ -33,7 +34,8 @@ impl RecentChange {
         }
     }
 
-    /// The change with each path as the file system names it, so that one document is not listed under two paths.
+    /// The change, with each path in the form that the file system gives it, so that one document is not listed under
+    /// two paths.
     fn resolved(self) -> Self {
         match self {
             Self::Used(path) => Self::Used(fs::canonicalize(&path).unwrap_or(path)),
@@ -42,20 +44,20 @@ impl RecentChange {
     }
 }
 
-/// What one window has changed since it last read or wrote the file.
+/// The changes of one window since it last read or wrote the file.
 #[derive(Clone, Debug)]
 pub struct SettingsChange {
     /// The settings file.
     pub file: PathBuf,
-    /// The values at that time.
+    /// The values at the time of that read or write.
     pub base: Entries,
-    /// The values now: those that differ from `base` were changed by this window.
+    /// The present values. Those that differ from `base` were changed by this window.
     pub mine: Entries,
     /// The changes of the recent documents, in order.
     pub recent: Vec<RecentChange>,
 }
 
-/// What [`SettingsChange::write`] did.
+/// The result of [`SettingsChange::write`].
 #[derive(Debug, PartialEq, Eq)]
 pub struct Merged {
     /// The recent documents of all windows, the latest first.
@@ -65,7 +67,7 @@ pub struct Merged {
 }
 
 impl SettingsChange {
-    /// Merges the change into the file; what other windows changed stays. Other windows wait meanwhile.
+    /// Merges the change into the file, and keeps the changes of other windows. Other windows wait until this is done.
     #[must_use]
     pub fn write(self) -> Merged {
         let _lock = lock(&self.file);

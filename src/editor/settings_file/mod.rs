@@ -53,7 +53,7 @@ impl Entries {
         T::deserialize(&value).unwrap_or_else(|_| default.clone())
     }
 
-    /// These values, with the value of `name` taken from `other`, also where `other` has none.
+    /// These values, with the value of `name` taken from `other`; where `other` has no such value, it is removed.
     #[must_use]
     pub fn with(mut self, name: &str, other: &Self) -> Self {
         match other.0.get(name) {
@@ -81,7 +81,7 @@ impl Entries {
     }
 }
 
-/// Keeps other windows from writing until it is dropped.
+/// Keeps other windows from writing until the returned file is dropped.
 #[must_use]
 fn lock(file: &Path) -> Option<File> {
     let _ = fs::create_dir_all(file.parent()?);

@@ -88,6 +88,15 @@ impl Attributes {
         }
     }
 
+    /// The distance from one mark to the next, px: the spacing of spots, the wavelength of stripes; `None` where it is free.
+    #[must_use]
+    pub fn distance(&self) -> Option<f64> {
+        match self {
+            Self::Spots(spots) => spots.spacing,
+            Self::Stripes(stripes) => stripes.wavelength,
+        }
+    }
+
     /// Its direction, degrees in [0, 180).
     #[must_use]
     pub fn angle(&self) -> f64 {

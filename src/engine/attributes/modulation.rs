@@ -36,7 +36,9 @@ pub enum Change {
 }
 
 impl Change {
-    fn of(self, value: f64, by: f64) -> f64 {
+    /// The `value` as it is changed by a number.
+    #[must_use]
+    pub fn of(self, value: f64, by: f64) -> f64 {
         match self {
             Self::Replace => by,
             Self::Multiply => value * by,
@@ -71,26 +73,7 @@ impl Modulation {
     #[must_use]
     pub fn applied(&self, base: Attributes, point: [f64; 2], follows: bool) -> Attributes {
         let changed = |attribute: Modulated, value: f64| self.changed(attribute, value, point);
-        let angle = |angle: f64| changed(Modulated::Direction, angle).map_or(angle, axial);
-        match base {
-            Attributes::Spots(spots) => {
-                let area = changed(Modulated::Area, spots.area).unwrap_or(spots.area);
-                let grown = if follows { (area / spots.area).sqrt() } else { 1.0 };
-                let spacing = spots.spacing.map(|spacing| grown * spacing);
-                let spacing = self.spacing(spacing, |value| changed(Modulated::Spacing, value));
-                let aspect = changed(Modulated::Aspect, spots.aspect);
-                let aspect = aspect.map_or(spots.aspect, |aspect| aspect.clamp(ASPECTS[0], ASPECTS[1]));
-                Attributes::Spots(Spots { area, aspect, angle: angle(spots.angle), spacing })
-            }
-            Attributes::Stripes(stripes) => {
-                let usual = stripes.width / stripes.duty();
-                let period = changed(Modulated::Spacing, usual).unwrap_or(usual);
-                let duty = changed(Modulated::Duty, stripes.duty());
-                let duty = duty.map_or(stripes.duty(), |duty| duty.clamp(DUTIES[0], DUTIES[1]));
-                let wavelength = stripes.wavelength.map(|_| period);
-                Attributes::Stripes(Stripes { width: duty * period, angle: angle(stripes.angle), wavelength })
-            }
-        }
+        modulated(base, &changed, self.replaces_spacing(), follows)
     }
 
     /// The `value` of one attribute as it is changed at a point, px; `None` where it does not change.
@@ -112,15 +95,6 @@ impl Modulation {
             map.values.iter_mut().for_each(|angle| *angle += by);
         }
         turned
-    }
-
-    /// A spacing that is changed; a free one stays free unless it is replaced.
-    fn spacing(&self, spacing: Option<f64>, changed: impl Fn(f64) -> Option<f64>) -> Option<f64> {
-        match spacing {
-            Some(spacing) => Some(changed(spacing).unwrap_or(spacing)),
-            None if self.replaces_spacing() => changed(1.0),
-            None => None,
-        }
     }
 
     /// Whether spacings are replaced.
@@ -145,6 +119,41 @@ impl Modulation {
     #[must_use]
     pub fn resized(&self, size: [f64; 2]) -> Self {
         Self { nodes: RegionGrid { size, ..self.nodes }, attributes: self.attributes.clone() }
+    }
+}
+
+/// What is wanted where `base` was, with attributes that are `changed`; that gives `None` for those that are not. `replaces`: whether spacings
+/// are replaced; `follows` as in [`Modulation::applied`].
+#[must_use]
+pub fn modulated(
+    base: Attributes,
+    changed: &dyn Fn(Modulated, f64) -> Option<f64>,
+    replaces: bool,
+    follows: bool,
+) -> Attributes {
+    let angle = |angle: f64| changed(Modulated::Direction, angle).map_or(angle, axial);
+    match base {
+        Attributes::Spots(spots) => {
+            let area = changed(Modulated::Area, spots.area).unwrap_or(spots.area);
+            let grown = if follows { (area / spots.area).sqrt() } else { 1.0 };
+            let spacing = match spots.spacing.map(|spacing| grown * spacing) {
+                Some(spacing) => Some(changed(Modulated::Spacing, spacing).unwrap_or(spacing)),
+                // A free one stays free unless it is replaced.
+                None if replaces => changed(Modulated::Spacing, 1.0),
+                None => None,
+            };
+            let aspect = changed(Modulated::Aspect, spots.aspect);
+            let aspect = aspect.map_or(spots.aspect, |aspect| aspect.clamp(ASPECTS[0], ASPECTS[1]));
+            Attributes::Spots(Spots { area, aspect, angle: angle(spots.angle), spacing })
+        }
+        Attributes::Stripes(stripes) => {
+            let usual = stripes.width / stripes.duty();
+            let period = changed(Modulated::Spacing, usual).unwrap_or(usual);
+            let duty = changed(Modulated::Duty, stripes.duty());
+            let duty = duty.map_or(stripes.duty(), |duty| duty.clamp(DUTIES[0], DUTIES[1]));
+            let wavelength = stripes.wavelength.map(|_| period);
+            Attributes::Stripes(Stripes { width: duty * period, angle: angle(stripes.angle), wavelength })
+        }
     }
 }
 

@@ -92,7 +92,7 @@ impl Bend {
         // The cut divides the line between its two neighbouring handles in the ratio t.
         let (before, after) = (x * (1.0 - self.0[2]), (1.0 - x) * next.0[0]);
         let t = if before + after > 0.0 { before / (before + after) } else { x };
-        // Handles at the cut itself do not determine t: limit the growth of a handle to a factor of twenty.
+        // Handles at the cut itself do not determine t: a handle is lengthened by a factor of at most twenty.
         let t = t.clamp(0.05, 0.95);
         let (first, last) =
             (|p: f64, at: f64| p * at / t, |p: f64, at: f64| 1.0 - (1.0 - p) * (1.0 - at) / (1.0 - t));
@@ -159,7 +159,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// By the definition: Bernstein sums, and bisection to the last bit.
+    /// Reference that follows the definition: Bernstein sums, and bisection to the last bit.
     fn by_bisection([x1, y1, x2, y2]: [f64; 4], x: f64) -> f64 {
         let bernstein = |p1: f64, p2: f64, t: f64| {
             3.0 * (1.0 - t).powi(2) * t * p1 + 3.0 * (1.0 - t) * t * t * p2 + t.powi(3)

@@ -27,7 +27,7 @@ pub struct Swatch {
     pub name: String,
 }
 
-/// Why a text is not a GIMP palette.
+/// The reason why a text is not a GIMP palette.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum GplError {
     /// The first line is wrong.

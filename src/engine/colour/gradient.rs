@@ -98,7 +98,7 @@ impl Gradient {
     }
 
     /// The position of the colour of stop `stop` on the line from the colour of stop `from` to that of stop `to`, in OKLab, 0..1.
-    /// Between stops of the same colour, the position of the stop's value instead.
+    /// Between stops of one colour, the position of the stop's value instead.
     #[must_use]
     pub fn share(&self, from: usize, stop: usize, to: usize) -> f64 {
         let lab = self.lab();
@@ -154,8 +154,8 @@ impl Gradient {
     }
 }
 
-/// The share of the second colour, and the opacity, `t` of the way between two stops of these opacities. Where these differ, an
-/// easing that overshoots is clipped.
+/// The share of the second colour, and the opacity, `t` of the way between two stops of these opacities. If these differ, an easing
+/// that overshoots is clipped.
 fn blended([first, second]: [u8; 2], t: f64) -> (f64, f64) {
     if first == second {
         return (t, f64::from(first) / 255.0);
@@ -163,7 +163,7 @@ fn blended([first, second]: [u8; 2], t: f64) -> (f64, f64) {
     let t = t.clamp(0.0, 1.0);
     let [of_first, of_second] = [(1.0 - t) * f64::from(first), t * f64::from(second)];
     let sum = of_first + of_second;
-    // Of a transparent stop itself nothing is seen: it has the colour of its surroundings.
+    // A transparent stop itself is not visible: it has the colour of its surroundings.
     let share = if sum > 0.0 { of_second / sum } else { f64::from(u8::from(first == 0)) };
     (share, sum / 255.0)
 }

@@ -12,8 +12,8 @@ const COLOURS: usize = 1 << 14;
 const DISTANCE: f64 = 4.0;
 
 impl Gradient {
-    /// The pattern values whose colours are nearest to those of a picture (red, green, blue for each px): of several equal
-    /// colours the middle one. `None` where the picture has many other colours than the gradient.
+    /// The pattern values whose colours are nearest to those of a picture (red, green, blue for each px); of several equal colours
+    /// the middle one. `None` if the picture has many other colours than the gradient.
     #[must_use]
     pub fn pattern_of(&self, rgb: &[u8]) -> Option<Vec<f32>> {
         let mut tones: Vec<(f32, [u8; 3])> = Vec::new();

@@ -1,8 +1,9 @@
 //! Field → picture: pattern values to colours.
 //!
-//! A [`Gradient`] computes the exact colour of a pattern value; its [`Table`] is a lookup table with an entry for each of
-//! the 65536 values of a 16-bit picture of the pattern. [`paint()`] colours every px of every layer; [`FineTable`] has more than
-//! 8 bits and opacity. [`Gradient::pattern_of`] goes back from colours to pattern values. [`ColourModel`] gives the coordinates in which people pick colours. [`Set`] holds the default colours of documents, [`PRESETS`] colours to choose from; [`gpl`] reads and writes
+//! A [`Gradient`] computes the exact colour of a pattern value; its [`Table`] is a lookup table with an entry for each of the 65536
+//! values of a 16-bit picture of the pattern. [`paint()`] colours every px of every layer; [`FineTable`] has more than 8 bits and
+//! opacity. [`Gradient::pattern_of`] converts colours back to pattern values. [`ColourModel`] gives the coordinates in which people
+//! pick colours. [`Set`] holds the default colours of documents, [`PRESETS`] colours to choose from; [`gpl`] reads and writes
 //! palettes of other programs.
 
 mod bezier;

@@ -96,8 +96,8 @@ impl ColourModel {
         }
     }
 
-    /// The colour (8-bit sRGB) with these coordinates. Where sRGB has none of this chroma, the one of the same lightness and
-    /// hue with the most.
+    /// The colour (8-bit sRGB) with these coordinates. If sRGB has none of this chroma, the colour of equal lightness and hue with
+    /// the highest chroma.
     #[must_use]
     pub fn colour(self, [a, b, c]: [f64; 3]) -> [u8; 3] {
         match self {
@@ -147,7 +147,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_colour_is_the_same_after_a_way_through_any_model() {
+    fn a_colour_is_unchanged_by_conversion_to_any_model_and_back() {
         for step in 0..4096_u32 {
             let colour = [step * 37, step * 101, step * 7].map(|channel| (channel % 256) as u8);
             for (model, name) in ColourModel::ALL {

@@ -12,7 +12,7 @@ use crate::grid::Field;
 pub struct Painted<'a> {
     /// Its pattern, one value a px of the picture.
     pub pattern: &'a Field,
-    /// Where it was free to grow, one flag for each px; `None` = everywhere.
+    /// Cells where the layer was free to grow, one flag for each px; `None` = everywhere.
     pub free: Option<&'a [bool]>,
     /// Its colours.
     pub table: &'a Table,

@@ -1,7 +1,7 @@
 //! Colours to choose from, by animal and by material.
 //!
-//! Each has a source that is shown with it. No coat was measured: the animals' colours were chosen by eye from descriptions of
-//! their coats. Bare metals have measured reflectances.
+//! Each preset has a source, which is shown with it. No coat was measured: the animals' colours were chosen by eye from
+//! descriptions of their coats. Bare metals have measured reflectances.
 
 use super::sets::{BY_LAYER, COATS, Set, set};
 

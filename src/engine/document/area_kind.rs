@@ -1,10 +1,10 @@
-//! What grows as areas: marks with outlines of their own, each with its place.
+//! Kinds of areas: marks that each have an outline of their own and a given place.
 
 use crate::attributes::system::Description;
 use crate::points::patches::PATCHES;
 use crate::rd::pairs::polygons::POLYGONS;
 
-/// What a layer of areas grows.
+/// The kinds of areas that a layer can grow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum AreaKind {
     /// Patches of scattered points.
@@ -17,7 +17,7 @@ impl AreaKind {
     /// All of them.
     pub const ALL: [Self; 2] = [Self::Patches, Self::Polygons];
 
-    /// What the rest of the program has to know of it.
+    /// The properties of the kind that the rest of the program uses.
     #[must_use]
     pub const fn description(self) -> &'static Description {
         match self {
@@ -25,7 +25,7 @@ impl AreaKind {
             Self::Polygons => &POLYGONS,
         }
     }
-    /// The one that a description is of.
+    /// The kind with this description; `None` if the description is not one of areas.
     #[must_use]
     pub fn of(description: &Description) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| kind.description() == description)

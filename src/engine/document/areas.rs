@@ -1,10 +1,10 @@
-//! Which layers scattered points make.
+//! Test for layers that are made from scattered points.
 
 use crate::attributes::system::Family;
 use crate::document::{After, AreaKind, Document, Layer, LineKind, Points, Stroke, SystemChoice};
 
 impl Document {
-    /// Whether scattered points make layer `index`: patches, cells, streaks, cracks or a field of points.
+    /// Whether layer `index` is made from scattered points: patches, cells, streaks, cracks or a field of points.
     #[must_use]
     pub fn is_of_points(&self, index: usize) -> bool {
         self.areas(index).is_some() || self.layers.get(index).is_some_and(Layer::is_of_points)
@@ -12,15 +12,15 @@ impl Document {
 }
 
 impl Layer {
-    /// Whether scattered points make it whatever its marks are; see [`Document::is_of_points`].
+    /// Whether the layer is made from scattered points whatever its marks are; see [`Document::is_of_points`].
     #[must_use]
     pub fn is_of_points(&self) -> bool {
         self.areas().is_some() || self.system.kind().is_some_and(Family::is_scattered)
     }
 
-    /// The areas that grow on it whatever its marks are, if any: its system says so, or it is `"auto"` and outlines are drawn, which are
-    /// patches then. Irregular spots are Turing's, and spots inside others Meinhardt's, whatever they are drawn as. See
-    /// [`Document::areas`].
+    /// The kind of areas that the layer grows whatever its marks are: that of its system, or patches if the system is `"auto"` and
+    /// outlines are drawn. `None` for a system of other marks. With `"auto"`, irregular spots always grow by Turing's system, and
+    /// spots inside others by Meinhardt's, even if outlines are drawn. See [`Document::areas`].
     #[must_use]
     pub fn areas(&self) -> Option<AreaKind> {
         let has_outlines = || self.strokes.iter().any(|stroke| matches!(stroke, Stroke::Outline(_)));
@@ -31,13 +31,14 @@ impl Layer {
         }
     }
 
-    /// The lines of points that grow on it, if any: its system says so.
+    /// The kind of lines that the layer grows from points; `None` if its system is not one of these.
     #[must_use]
     pub fn point_lines(&self) -> Option<LineKind> {
         self.system.lines()
     }
 
-    /// The field of points that grows on it, if any: its system says so. Defaults where the layer does not say more.
+    /// The field of points that the layer grows, with defaults where the layer has no `points`; `None` if its system is not a field
+    /// of points.
     #[must_use]
     pub fn point_field(&self) -> Option<Points> {
         (self.system.kind() == Some(Family::Points)).then(|| self.points.clone().unwrap_or_default())

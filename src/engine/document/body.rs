@@ -7,18 +7,18 @@ use crate::document::limits::{self, Range};
 use crate::document::node::Node;
 use crate::surface::BODIES;
 
-/// A model on whose surface a document grows, and how the sketch holds there. All coordinates are those of the model's file.
+/// A model on whose surface a document grows, and how the sketch is applied to it. All coordinates are those of the model's file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
-    /// Where its triangles come from.
+    /// Source of its triangles.
     pub source: BodySource,
     /// The longest side of its bounding box, in px of the sketch: [`limits::BODY_SIDE`].
     pub px: f64,
-    /// Which axis points up in pictures.
+    /// The axis that points up in pictures.
     pub up: Axis,
     /// The axis along which +x of the sketch points, projected on the surface.
     pub along: Axis,
-    /// Where on it regions of the sketch hold; none = the sketch holds everywhere.
+    /// Places on the model to which regions of the sketch apply; none = the sketch applies everywhere.
     pub pins: Vec<Pin>,
     /// Lines on it that +x of the sketch follows: polylines of at least two points.
     pub strokes: Vec<Vec<[f64; 3]>>,
@@ -38,16 +38,16 @@ impl Body {
     }
 }
 
-/// Where the triangles of a body come from.
+/// Source of the triangles of a body.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum BodySource {
-    /// One of [`BODIES`].
+    /// The built-in body of this name, from [`BODIES`].
     BuiltIn(&'static str),
     /// A file beside the document.
     File {
         /// Its path, relative to the folder of the document.
         path: String,
-        /// SHA-256 of its bytes when it was chosen; `None` = whatever it holds.
+        /// SHA-256 of its bytes when it was chosen; `None` = the contents are not checked.
         sha256: Option<[u8; 32]>,
     },
 }
@@ -81,7 +81,7 @@ pub enum Axis {
 }
 
 impl Axis {
-    /// By their names in documents.
+    /// The axes by their names in documents.
     pub const NAMES: [(&'static str, Self); 6] = [
         ("x", Self::X),
         ("y", Self::Y),
@@ -111,14 +111,14 @@ impl Axis {
     }
 }
 
-/// Where on a body a region of the sketch holds.
+/// A place on a body to which a region of the sketch applies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pin {
     /// Column and row of the region; [0, 0] of a sketch without regions.
     pub region: [u32; 2],
-    /// The place; the nearest place of the surface is meant.
+    /// The place; the nearest point of the surface is used.
     pub at: [f64; 3],
-    /// Where +x of the region points, projected on the surface; `None` = along [`Body::along`].
+    /// Direction in which +x of the region points, projected on the surface; `None` = along [`Body::along`].
     pub toward: Option<[f64; 3]>,
 }
 
@@ -139,9 +139,9 @@ pub enum BodyMark {
 /// A spot that is drawn on a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyEllipse {
-    /// Its centre; the nearest place of the surface is meant.
+    /// Its centre; the nearest point of the surface is used.
     pub at: [f64; 3],
-    /// Which way the surface faces there: tells the two sides of a thin sheet apart. `None` = either.
+    /// Normal of the surface there: tells the two sides of a thin sheet apart. `None` = either side.
     pub normal: Option<[f64; 3]>,
     /// Radii along the angle and across it, px.
     pub radii: [f64; 2],
@@ -158,7 +158,7 @@ impl fmt::Display for BodySource {
     }
 }
 
-/// The model of a document with so many regions.
+/// Reads the model of a document with `regions` columns and rows of regions.
 pub(super) fn read(node: &Node, regions: [u32; 2]) -> Result<Body, Problem> {
     node.keys(&["file", "sha256", "px", "up", "along", "pins", "strokes", "only"])?;
     let source = source(node)?;
@@ -177,7 +177,7 @@ pub(super) fn read(node: &Node, regions: [u32; 2]) -> Result<Body, Problem> {
     Ok(body)
 }
 
-/// A list of up to so many items; none where there is no such key.
+/// Reads a list of at most `most` items; an empty one if the key is missing.
 fn list<T>(
     node: &Node,
     key: &str,
@@ -277,7 +277,7 @@ fn points(list: &Node) -> Result<Vec<[f64; 3]>, Problem> {
     Ok(points)
 }
 
-/// Whether a stroke of a layer is one on the model: it has a place in three dimensions.
+/// Whether a stroke of a layer is drawn on the model: its place has three coordinates.
 pub(super) fn is_on_body(node: &Node) -> bool {
     let in_space =
         |list: Node| list.items("").is_ok_and(|mut points| points.next().is_some_and(|p| p.is_list_of(3)));

@@ -32,7 +32,7 @@ impl Document {
         Self { name: name.into(), ..self }
     }
 
-    /// With so many columns and rows of regions, instead of free marks.
+    /// With this number of columns and rows of regions, instead of free marks.
     #[must_use]
     pub fn with_regions(self, regions: [u32; 2]) -> Self {
         Self { regions: Some(regions), ..self }

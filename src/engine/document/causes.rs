@@ -1,4 +1,4 @@
-//! An error with its causes as one line, errors of the system in plain words.
+//! Writes an error with its causes on one line, and errors of the operating system in plain words.
 
 use std::error::Error;
 use std::io::{self, ErrorKind};
@@ -21,11 +21,11 @@ pub fn with_causes(error: &dyn Error) -> String {
     text
 }
 
-/// What the system reported, in words that are the same on every system.
+/// The message of an operating-system error, in words that are the same on every system.
 #[must_use]
 pub fn io_in_words(error: &io::Error) -> String {
     let words = match error.kind() {
-        // A message of its own says more than its kind.
+        // An error that carries a message says more than its kind.
         _ if error.get_ref().is_some() => return error.to_string(),
         ErrorKind::NotFound => "file or folder not found",
         ErrorKind::PermissionDenied => "no permission",

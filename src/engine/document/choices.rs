@@ -22,7 +22,8 @@ impl From<&Mark> for Kind {
 }
 
 impl Kind {
-    /// The kind of a layer whose strokes are of these `kinds`: ellipses, where there are any. Lines beside them part cells.
+    /// The kind of a layer with strokes of these `kinds`: ellipses if there is any. Lines beside ellipses are the lines between
+    /// cells.
     #[must_use]
     pub fn of_layer(kinds: impl IntoIterator<Item = Self>) -> Option<Self> {
         kinds.into_iter().reduce(|kind, other| if other == Self::Ellipse { other } else { kind })
@@ -38,17 +39,17 @@ impl Kind {
     }
 }
 
-/// What stripes begin from, with its names in documents.
+/// The initial states of stripes, with their names in documents.
 pub const SEEDINGS: [(&str, Seeding); 3] =
     [("noise", Seeding::Noise), ("segments", Seeding::Segments), ("initiators", Seeding::Initiators)];
 
-/// Which threads of a weave lie over the others where they cross, by the numbers i and j of the two threads.
+/// Rule that tells which threads of a weave lie over the others where they cross, by the numbers i and j of the two threads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Over {
-    /// Neither: all are as high.
+    /// All threads have the same height.
     #[default]
     Level,
-    /// One over, one under: i + j is even.
+    /// Plain weave, one over, one under: over where i + j is even.
     Plain,
     /// Two over, one under: i + j is no multiple of three less one.
     Twill21,
@@ -69,17 +70,17 @@ impl Over {
     ];
 }
 
-/// How a layer meets the marks of the layers beneath it.
+/// Position of the marks of a layer relative to the marks beneath.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum After {
-    /// It keeps away from them, as on a cheetah.
+    /// The layer keeps away from them, as on a cheetah.
     #[default]
     Between,
-    /// It rings them, as a leopard's rosettes.
+    /// The layer rings them, like a leopard's rosettes.
     Around,
-    /// It fills the space between them with a connected web, as on a giraffe.
+    /// The layer fills the space between them with a connected web, as on a giraffe.
     Net,
-    /// A smaller mark at each place of the layer beneath, which itself is not shown.
+    /// The layer grows a smaller mark at the place of each mark beneath, which is not shown itself.
     Inside,
 }
 

@@ -1,4 +1,4 @@
-//! Marks so dense that spots do not grow as drawn, where the system is chosen automatically: patches, or cells.
+//! Layers whose marks are too dense to grow as drawn spots: a system that is chosen automatically grows patches or cells instead.
 //!
 //! c = area ÷ (√¾ · spacing²) is the share of the plane that marks cover. Spots of reaction and diffusion reach about .28 of it.
 //! Scattered points make patches up to .72. Cells with lines between them cover more than half, and marks that touch are cells rather
@@ -11,30 +11,30 @@ use crate::document::{After, AreaKind, Document, Kind, Layer, MapKey, Stroke, Sy
 use crate::grid::Bounds;
 use crate::marks::{Ellipse, Mark};
 
-/// The largest c of all regions together, and of any one, that is left to spots. Of an irregular sheet of 77 marks drawn at about .28
-/// spots lost 12. Figures of papers have regions up to .285 among sparser ones.
+/// The largest c that still grows as spots: the mean over all regions, and the value of any one region. Of 77 irregular marks drawn
+/// at c ≈ 0.28, 12 were lost as spots. Figures of papers have single regions up to 0.285 among sparser ones.
 const SPOTS: [f64; 2] = [0.265, 0.29];
-/// From this c on marks that touch are cells.
+/// Least c at which marks that touch are cells.
 const CELLS: f64 = 0.55;
-/// The largest c that patches reach: beyond it they find no room.
+/// The largest c of patches: denser ones find no room.
 const PATCHES: f64 = 0.72;
-/// Marks whose distance says how dense they are, at least.
+/// The fewest marks from whose distances a density is computed.
 const LEAST: usize = 3;
-/// Outlines nearer to each other than this, px, run together on a canvas.
+/// Outlines closer to each other than this, px, merge on a canvas.
 const APART: f64 = 2.0;
-/// The share of the marks that must have such a neighbour to be cells.
+/// The least share of the marks with a neighbour closer than [`APART`] for the layer to be cells.
 const TOUCHING: f64 = 0.5;
-/// The share of the marks that run into another one by that much, from which on they are left to spots: patches would join them, while
-/// of spots one of each two stands. Of 100 sketches at uniform random places three grew drawn marks as one patch: 0.31, 0.38 and 0.58 of
-/// their marks run into another one.
+/// The largest share of the marks that overlap another one by [`APART`] or more, of layers that are not spots. Above it the layer
+/// stays one of spots: patches would merge overlapping marks, whereas one of two spots remains. Of 100 sketches at uniform random
+/// places three grew drawn marks as one patch; in these 0.31, 0.38 and 0.58 of the marks overlap another one.
 const OVERLAPPING: f64 = 0.25;
 
 impl Document {
-    /// What areas grow on layer `index`: its system says so; or it is `"auto"`, and outlines are drawn, which are patches then, or its
-    /// marks are too dense for spots. `None` of all other layers.
+    /// The kind of areas that layer `index` grows: that of its system; or, if the system is `"auto"`, patches where outlines are
+    /// drawn, and patches or cells where its marks are too dense for spots. `None` for all other layers.
     ///
-    /// Regions count together, and the densest by itself. A layer stays one of spots where the layer above grows around, between or
-    /// inside its marks, and where it has options or maps that areas do not have.
+    /// Both the mean density of the regions and that of the densest region count. A layer stays one of spots if the layer above
+    /// grows around, between or inside its marks, or if it has options or maps that areas do not take.
     #[must_use]
     pub fn areas(&self, index: usize) -> Option<AreaKind> {
         let layer = self.layers.get(index)?;
@@ -44,8 +44,8 @@ impl Document {
         self.areas_of(index, &marks)
     }
 
-    /// What areas grow on layer `index`, see [`Self::areas`], given the fitted `marks` of its strokes: `None` of a stroke that is
-    /// no mark.
+    /// The kind of areas that layer `index` grows, see [`Self::areas`]. `marks` are the fitted marks of its strokes, `None` for a
+    /// stroke that is no mark.
     #[must_use]
     pub fn areas_of(&self, index: usize, marks: &[Option<Mark>]) -> Option<AreaKind> {
         let layer = self.layers.get(index)?;
@@ -55,14 +55,14 @@ impl Document {
         })
     }
 
-    /// The share of the plane that the drawn marks cover, c: the mean over the regions, and the largest. `None` of layers that hold lines,
-    /// and where too few marks are drawn to have a distance.
+    /// The share c of the plane that the drawn marks cover: the mean over the regions, and the largest. `None` for layers that hold
+    /// lines, and where there are too few marks to measure a distance.
     #[must_use]
     pub fn drawn_coverage(&self, marks: &[Option<Mark>]) -> Option<[f64; 2]> {
         let ellipses: Vec<Ellipse> =
             marks.iter().map(|mark| mark.as_ref()?.ellipse()).collect::<Option<_>>()?;
         let canvas = Bounds { size: self.size.map(f64::from), edges: self.edges };
-        // What is drawn again over another mark makes them no denser.
+        // A mark that is drawn again over another one makes the layer no denser.
         let is_over = |index: &usize| {
             let one = &ellipses[*index];
             ellipses[..*index]
@@ -100,7 +100,7 @@ impl Document {
         }
     }
 
-    /// The share of the marks that are nearer than `gap`, px, to another one; a negative gap is one by which they run into each other.
+    /// The share of the marks that are closer than `gap`, px, to another one; a negative gap is an overlap.
     fn share_nearer(&self, gap: f64, marks: &[Option<Mark>]) -> f64 {
         let ellipses: Vec<Ellipse> = marks.iter().flatten().filter_map(Mark::ellipse).collect();
         let canvas = Bounds { size: self.size.map(f64::from), edges: self.edges };
@@ -115,8 +115,7 @@ impl Document {
     }
 }
 
-/// Whether two ellipses could be less than `gap` px apart by their largest radii: found without their directions, as most pairs are far
-/// apart.
+/// Whether two ellipses could be less than `gap` px apart, judged by their largest radii: cheap, since most pairs are far apart.
 fn may_meet(one: &Ellipse, other: &Ellipse, gap: f64, canvas: &Bounds) -> bool {
     let way = canvas.shortest([0, 1].map(|axis| other.center[axis] - one.center[axis]));
     let reach = one.radii[0].max(one.radii[1]) + other.radii[0].max(other.radii[1]) + gap;
@@ -130,7 +129,7 @@ fn is_within(one: &Ellipse, other: &Ellipse, canvas: &Bounds) -> bool {
     way[0] * way[0] + way[1] * way[1] < reach * reach
 }
 
-/// c of the marks of a region; `None` of too few.
+/// The share c of the marks of a region; `None` for too few marks.
 fn coverage(region: &Region) -> Option<f64> {
     let Some(Attributes::Spots(spots)) = region.own.filter(|_| region.marks >= LEAST) else { return None };
     let spacing = spots.spacing?;
@@ -141,7 +140,7 @@ fn coverage(region: &Region) -> Option<f64> {
 fn takes(layer: &Layer, kind: AreaKind) -> bool {
     let system = SystemChoice::Of(kind.description());
     let combination = Combination::new(layer, Some(Kind::Ellipse), Beneath::Unknown);
-    // Where a map says how large marks are or how far apart, the drawn ones do not say how dense they are.
+    // If a map gives area or spacing, the density of the drawn marks is not that of the grown ones.
     let mapped = [MapKey::Area, MapKey::Spacing].iter().any(|key| layer.maps.get(*key).is_some());
     layer.options.irregular == 0.0
         && !mapped
@@ -208,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn a_layer_that_says_what_areas_do_not_have_stays_one_of_spots() {
+    fn a_layer_with_options_or_maps_that_areas_lack_stays_one_of_spots() {
         let irregular = LayerOptions { irregular: 0.5, ..LayerOptions::default() };
         assert_eq!(document(0.5, |layer| layer.with_options(irregular)).areas(0), None);
         let spots = SystemChoice::Of(crate::rd::System::MEINHARDT_SPOTS.description());

@@ -12,12 +12,12 @@ use std::io::{BufRead, Read, Seek};
 
 /// The key of the document.
 const DOCUMENT: &str = "dapple";
-/// The key of what is not in the document.
+/// The key of the size and the scale, which the document does not hold.
 const GROWN: &str = "dapple-grown";
 /// The largest scale that a picture has.
 pub const MAX_SCALE: u32 = 64;
 
-/// How a picture was grown, beyond what its document says.
+/// Size of the canvas and scale of a grown picture, as far as its document does not hold them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Extent {
     /// The canvas, px, where it is not the document's.

@@ -1,4 +1,4 @@
-//! What can be wrong with a document: one message with file, place, what was found, what is allowed.
+//! Errors in documents: one message with file, place, the text found, and the allowed values.
 
 use crate::document::limits::{MAX_LINK, MAX_LINK_TEXT};
 use crate::export::ExportError;
@@ -12,9 +12,9 @@ use std::{fmt, io};
 pub struct Problem {
     /// The JSON path of the value, such as `layers[0].strokes[3].radii[1]`.
     pub place: String,
-    /// What was found.
+    /// The text or value that was found.
     pub found: String,
-    /// What is allowed.
+    /// The allowed values.
     pub allowed: String,
 }
 
@@ -37,7 +37,7 @@ impl fmt::Display for Problem {
     }
 }
 
-/// Why a document could not be read or written.
+/// The reason why a document could not be read or written.
 #[derive(Debug, thiserror::Error)]
 pub enum DocumentError {
     /// The file cannot be opened or read.
@@ -68,7 +68,7 @@ pub enum DocumentError {
     Foreign {
         /// The file.
         file: String,
-        /// What it is.
+        /// The kind of the file.
         found: Foreign,
     },
     /// The file is a PNG that cannot be read to its end.
@@ -76,7 +76,7 @@ pub enum DocumentError {
     Damaged {
         /// The file.
         file: String,
-        /// What is wrong with it.
+        /// The damage.
         source: Damaged,
     },
     /// The file is larger than any document.
@@ -96,7 +96,7 @@ pub enum DocumentError {
         line: usize,
         /// Character in the line, from 1.
         column: usize,
-        /// What was found and what is allowed.
+        /// The value that was found, and the allowed ones.
         problem: String,
     },
     /// The file is of a version that this program does not know yet.
@@ -117,7 +117,7 @@ pub enum DocumentError {
     Model {
         /// The document's file.
         file: String,
-        /// What is wrong with the model.
+        /// The reason.
         reason: ModelError,
     },
     /// A value is wrong.
@@ -125,7 +125,7 @@ pub enum DocumentError {
     Content {
         /// The file.
         file: String,
-        /// Where and why.
+        /// The place and the reason.
         problem: Problem,
     },
     /// The link in place of a file cannot be read.
@@ -136,13 +136,13 @@ pub enum DocumentError {
     Unwritable(#[from] ExportError),
 }
 
-/// Why a link cannot be made or read.
+/// The reason why a link cannot be made or read.
 #[derive(Debug, thiserror::Error)]
 pub enum LinkError {
     /// There is no document in it.
     #[error("found a text without \"#dapple1=\"; allowed: a link that dapple has made")]
     NoDocument,
-    /// It was written by a newer dapple.
+    /// The link was written by a newer dapple.
     #[error("the link: version: found {version}; allowed: {known} (a newer dapple reads it)")]
     Newer {
         /// Its version.
@@ -155,7 +155,7 @@ pub enum LinkError {
         "the link: found {found} characters; allowed: at most {MAX_LINK}; send the document as a file instead"
     )]
     TooLong {
-        /// How many.
+        /// Number of characters.
         found: usize,
     },
     /// The link is not one that dapple has made.
@@ -163,7 +163,7 @@ pub enum LinkError {
         "the link is damaged or was cut off: {why}; copy the whole link, or ask for the document as a file"
     )]
     Damaged {
-        /// In which way.
+        /// The damage.
         why: String,
     },
     /// Its document is too large.
@@ -171,7 +171,7 @@ pub enum LinkError {
         "the link: found a document of more than {MAX_LINK_TEXT} bytes; allowed: at most {MAX_LINK_TEXT} bytes"
     )]
     TooLarge,
-    /// Its document needs a file.
+    /// Its document needs a file, which a link cannot hold.
     #[error(
         "the document grows on the model \"{file}\", a file that a link cannot hold; send the document and the model as files \
          instead"

@@ -1,4 +1,4 @@
-//! Which marks, `after`, system and options of a layer go together: one table.
+//! Allowed combinations of marks, `after`, system and options of a layer: one table.
 //!
 //! [`RULES`] lists every combination that cannot be grown, with the reason. The reader of documents, `check`, growing,
 //! the window's choices and the random documents of the tests all ask it, and `docs/format.md` shows it. Rules about single
@@ -21,14 +21,14 @@ use crate::document::{After, Kind, Layer, LayerOptions, MapKey, OptionKey, Probl
 /// A combination that cannot be grown.
 #[derive(Debug)]
 pub struct Rule {
-    /// What has to change.
+    /// The key of the value that has to change.
     pub key: Key,
-    /// What it does not go with.
+    /// The condition under which the key is refused.
     pub condition: Condition,
     /// Why, as a sentence without its full stop.
     pub reason: &'static str,
-    /// Whether a document that breaks the rule is refused when it is read. The other rules are left to `check` and
-    /// `grow`, so that the window can open such a document and its user can mend it.
+    /// Whether reading a document that breaks the rule fails. The other rules are left to `check` and `grow`, so that the window
+    /// can open such a document and its user can mend it.
     pub on_reading: bool,
 }
 
@@ -45,7 +45,7 @@ pub enum Key {
     SystemLacking(fn(&Description) -> bool),
     /// `system` without this property; `auto` has every one.
     SystemWithout(fn(&Description) -> bool),
-    /// An option with any other value than [`OptionKey::always_allowed`].
+    /// An option that has another value than [`OptionKey::always_allowed`].
     Option(OptionKey),
     /// A `tone`.
     Tone,
@@ -55,14 +55,14 @@ pub enum Key {
     Maps(Vec<MapKey>),
 }
 
-/// What a key does not go with.
+/// A condition with which a key cannot be combined.
 #[derive(Debug)]
 pub enum Condition {
     /// The layer is the lowest.
     Lowest,
     /// There is a layer beneath.
     NotLowest,
-    /// This lies beneath the layer.
+    /// The layer beneath is of this kind.
     Above(Beneath),
     /// The layer's own marks are of this kind.
     Marks(Kind),
@@ -88,10 +88,10 @@ pub enum Condition {
     WithoutChance,
 }
 
-/// What lies beneath a layer.
+/// The kind of the layer beneath.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Beneath {
-    /// Not known here: rules about it are passed over.
+    /// Unknown: rules about the layer beneath are skipped.
     Unknown,
     /// Nothing: the layer is the lowest.
     Nothing,
@@ -101,20 +101,20 @@ pub enum Beneath {
     Pairs,
     /// A layer of patches, cells, streaks, cracks or a field of points.
     Areas,
-    /// A layer that a picture or a growth drives.
+    /// A layer with a tone, or of Turing's growth.
     Tone,
 }
 
-/// What the rules have to know of one layer.
+/// The properties of one layer that the rules depend on.
 #[derive(Clone, Copy, Debug)]
 pub struct Combination {
     /// The kind of its marks; `None` = it has none, or only freehand strokes that have not been fitted yet.
     pub marks: Option<Kind>,
-    /// Whether it holds lines beside ellipses, as far as is known before freehand strokes are fitted.
+    /// Whether the layer holds lines beside ellipses, as far as is known before freehand strokes are fitted.
     pub holds_both: bool,
-    /// What lies beneath it.
+    /// The kind of the layer beneath.
     pub beneath: Beneath,
-    /// How it meets the marks beneath.
+    /// Position of its marks relative to the marks beneath.
     pub after: After,
     /// The system that is asked for; areas where `"auto"` takes these.
     pub system: SystemChoice,
@@ -122,16 +122,16 @@ pub struct Combination {
     pub options: LayerOptions,
     /// Whether a picture drives it.
     pub driven: bool,
-    /// Whether it says what its points are.
+    /// Whether it has `points`.
     pub pointed: bool,
-    /// Whether its points are dark with a probability.
+    /// Whether its points are dark or light with a probability.
     pub by_chance: bool,
-    /// Which attributes it has maps of, in the order of [`MapKey::ALL`].
+    /// For each attribute, whether the layer has a map of it, in the order of [`MapKey::ALL`].
     pub mapped: [bool; MapKey::ALL.len()],
 }
 
 impl Combination {
-    /// What `layer` says, whose marks are of the kind `marks`.
+    /// The properties of `layer`, whose marks are of the kind `marks`.
     #[must_use]
     pub fn new(layer: &Layer, marks: Option<Kind>, beneath: Beneath) -> Self {
         let system = layer.areas().map_or(layer.system, |areas| SystemChoice::Of(areas.description()));
@@ -144,7 +144,7 @@ impl Combination {
         Self { marks, holds_both, beneath, after, system, options, driven, pointed, by_chance, mapped }
     }
 
-    /// What the layer grows: its system says so, or `after`, or its marks.
+    /// The kind of marks that the layer grows: given by its system, or by `after`, or by its own marks.
     #[must_use]
     pub fn grows(&self) -> Option<Kind> {
         self.system.grows().or(self.after.grows()).or(self.marks)
@@ -190,7 +190,7 @@ impl Combination {
         RULES.iter().find(|rule| about(rule) && rule.condition.holds(self))
     }
 
-    /// Whether the layer could hold marks of `kind`, as far as its system and its `after` say.
+    /// Whether the system and the `after` of the layer allow marks of `kind`.
     #[must_use]
     pub fn takes(&self, kind: Kind) -> bool {
         let with = Self { marks: Some(kind), ..*self };
@@ -202,15 +202,14 @@ impl Combination {
             && !RULES.iter().filter(about_marks).any(|rule| rule.refuses(&with))
     }
 
-    /// The problem that a document has whose layer at `place` (such as `layers[0]`) breaks a rule that is checked on
-    /// reading.
+    /// The first problem of the layer at `place` (such as `layers[0]`) by the rules that are checked on reading.
     #[must_use]
     pub fn problem_on_reading(&self, place: &str) -> Option<Problem> {
         let rule = RULES.iter().find(|rule| rule.on_reading && rule.refuses(self))?;
         Some(rule.problem(self, place))
     }
 
-    /// The problem that a document has whose layer at `place` (such as `layers[0]`) breaks any rule.
+    /// The first problem of the layer at `place` (such as `layers[0]`) by all rules.
     #[must_use]
     pub fn problem(&self, place: &str) -> Option<Problem> {
         Some(self.broken_rule()?.problem(self, place))
@@ -218,7 +217,7 @@ impl Combination {
 }
 
 impl Rule {
-    /// Whether a layer breaks it.
+    /// Whether a layer breaks this rule.
     fn refuses(&self, layer: &Combination) -> bool {
         let has_value = match &self.key {
             Key::After(refused) => refused.contains(&layer.after),
@@ -234,7 +233,7 @@ impl Rule {
         has_value && self.condition.holds(layer)
     }
 
-    /// What is wrong with a layer that breaks it.
+    /// The problem of a layer that breaks this rule.
     fn problem(&self, layer: &Combination, place: &str) -> Problem {
         let (key, found, allowed) = match &self.key {
             Key::After(_) => {
@@ -292,7 +291,7 @@ impl Condition {
     }
 }
 
-/// The problem that the mark at `place` is of another kind than the `first` of its layer; `None` where it is of the same, and where
+/// The problem of a mark at `place` whose `kind` is not that of the `first` mark of its layer. `None` if the kinds are equal, or if
 /// `system` takes lines beside ellipses.
 ///
 /// Explicit strokes are checked when a document is read, freehand ones when they are fitted.
@@ -306,8 +305,8 @@ pub fn mixed_marks(system: SystemChoice, kind: Kind, first: Kind, place: &str) -
     })
 }
 
-/// Puts back to its default whatever the rules refuse in `layer`, whose marks are of the kind `marks`: its system, its
-/// options, its points, its maps. `after` stays.
+/// Resets the system, the options, the points and the maps of `layer` that the rules refuse to their defaults. `marks` is the kind
+/// of its marks. `after` stays.
 pub fn tidy(layer: &mut Layer, marks: Option<Kind>) {
     if Combination::new(layer, marks, Beneath::Unknown).against_system(layer.system).is_some() {
         layer.system = SystemChoice::Auto;

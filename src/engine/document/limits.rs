@@ -31,22 +31,22 @@ pub const MAX_LINK: usize = 64 << 10;
 pub const MAX_LINK_TEXT: usize = 1 << 20;
 /// Shortest length, width or radius, px: well below what a px can show, well above where squares underflow.
 pub const MIN_LENGTH: f64 = 0.01;
-/// The spacing far from all ellipses: no two marks of a canvas are farther apart.
+/// The spacing that is asked for far from all ellipses, px. The upper limit exceeds the distance of any two marks on a canvas.
 pub const FAR_SPACING: Range = Range { low: MIN_LENGTH, high: 2.0 * MAX_SIDE as f64, unit: "px" };
 /// The longest side of a model.
 pub const BODY_SIDE: Range = Range { low: 1.0, high: MAX_SIDE as f64, unit: "px" };
 /// A coordinate of a model.
 pub const MODEL: Range = Range { low: -1e12, high: 1e12, unit: "" };
-/// The shortest direction that is one.
+/// Least length of a vector that is accepted as a direction.
 pub const SHORTEST: f64 = 1e-30;
 /// Most pins of a model, most strokes on it, and most names of its groups.
 pub const MAX_PINS: usize = 1_000;
 /// Dots an inch.
 pub const DPI: Range = Range { low: 1.0, high: 100_000.0, unit: "dots an inch" };
-/// Stripe ÷ period: from where thin stripes break to pieces to where the gaps between wide ones do.
+/// Stripe width ÷ period. Below this range thin stripes break into pieces, above it the gaps between wide stripes do.
 pub const DUTY: Range =
     Range { low: PeriodRules::STRIPES.duties[0], high: PeriodRules::STRIPES.duties[1], unit: "" };
-/// How irregular spots are.
+/// Irregularity of spots.
 pub const IRREGULAR: Range = Range { low: 0.0, high: 1.0, unit: "" };
 /// Place of a colour stop: a pattern value.
 pub const STOP: Range = Range { low: 0.0, high: 1.0, unit: "" };
@@ -64,70 +64,73 @@ pub const SPREAD_ASPECT: Range = Range { low: 0.0, high: 0.2, unit: "" };
 /// Coefficient of variation of their distances.
 pub const SPREAD_SPACING: Range = Range { low: 0.0, high: 0.2, unit: "" };
 
-/// σ of patches: beyond, dense ones have no room for longer fringes, and others fall to pieces.
+/// σ of the edges of patches. Above this range dense patches have no room for longer fringes, and others fall to pieces.
 pub const RAGGED: Range = Range { low: 0.0, high: 0.5, unit: "" };
 /// Points a patch.
 pub const DETAIL: Range = Range { low: Patches::LEAST_DETAIL, high: Patches::MOST_DETAIL, unit: "points" };
 /// Width of the lines between cells: below 1 px they cannot be seen, and the finest grid is that fine.
 pub const GAP: Range = Range { low: 1.0, high: 1_000.0, unit: "px" };
-/// How far the gain of stucco falls: beyond, blotches die.
+/// Decrease of the gain of stucco. Above this range blotches vanish.
 pub const DECAY: Range = Range { low: 0.0, high: Stucco::MOST_DECAY, unit: "" };
-/// Most corners of an outline: with one each 4 px a patch may be 1,200 px wide. All pairs of its sides that lie one above the other
-/// are tried for crossings.
+/// Most corners of an outline: with a corner every 4 px a patch may be 1,200 px wide. The test for crossings tries all pairs of
+/// sides that lie one above the other, so its time limits the number.
 pub const MAX_CORNERS: usize = 1_000;
-/// Where an outline crosses itself, the share of the area that the smaller loop may have: the slip of a hand that closes it.
+/// Largest share of the area of an outline in the smaller loop, if the outline crosses itself. Such a loop comes from a small error in
+/// closing the outline by hand.
 pub const LOOP: f64 = 0.05;
 
 /// Longest side of the picture in a tone, px: 18 px for each of 56 stripes, and about 600 kB in the document.
 pub const TONE_SIDE: u32 = 1_024;
 /// Share of ink that a tone asks for.
 pub const INK: Range = Range { low: 0.0, high: 1.0, unit: "" };
-/// Weight of the drawn direction against the edges of a picture: from 10 on, edges turn nothing.
+/// Weight of the drawn direction against the edges of a picture. From 10 on, edges do not change the direction.
 pub const SKETCH: Range = Range { low: 0.0, high: 10.0, unit: "" };
 
 /// Area of spots that a map asks for.
 pub const MAP_AREA: Range = Range { low: 1.0, high: 1e8, unit: "px²" };
-/// Growth that a map asks for: below it nothing lives, above it no ground is left.
+/// Parameter G of Turing's growth that a map asks for. Below this range b dies out, above it no ground is left.
 pub const MAP_GROWTH: Range = Range { low: 17.5, high: 27.5, unit: "" };
 /// Distance of marks that a map asks for.
 pub const MAP_SPACING: Range = Range { low: 1.0, high: 1e4, unit: "px" };
-/// Direction that a map asks for, or by how much it turns one: two whole turns let a spiral be painted as one ramp.
+/// Direction that a map asks for, or angle by which it rotates directions. Two full turns allow a spiral to be painted as one ramp.
 pub const MAP_DIRECTION: Range = Range { low: -720.0, high: 720.0, unit: "degrees" };
-/// Minor ÷ major radius that a map asks for: that of the narrowest spots that grow, and round.
+/// Minor ÷ major radius that a map asks for, from the narrowest spots that grow to round ones.
 pub const MAP_ASPECT: Range = Range { low: 0.2, high: 1.0, unit: "" };
-/// By how much a map multiplies.
+/// Factor of a map that multiplies.
 pub const MAP_FACTOR: Range = Range { low: 0.1, high: 10.0, unit: "" };
-/// By how much of the gradient a map shifts colours: half of it lies between ground and edge.
+/// Shift of colours by a map, as a share of the gradient; ground and edge are half a gradient apart.
 pub const MAP_SHIFT: Range = Range { low: -0.5, high: 0.5, unit: "" };
-/// Size of the noise of a map.
+/// Size of the noise of a map: distance from a light place to the next dark one.
 pub const MAP_SIZE: Range = Range { low: 2.0, high: 1e5, unit: "px" };
 /// Octaves of the noise of a map, at most: an eighth has 1/128 of the weight of the first.
 pub const MAP_OCTAVES: u32 = 8;
 
-/// Distance of the points of a field: finer ones cannot be seen.
+/// Distance of the points of a field: closer points cannot be seen.
 pub const POINT_DISTANCE: Range = Range { low: 2.0, high: 1e5, unit: "px" };
 /// Octaves of a field of points, at most: an eighth has 1/128 of the weight of the first.
 pub const POINT_OCTAVES: u32 = 8;
-/// Length of the axes of points, in edges: below 1 places are left with hardly any weight; the time grows with its square.
+/// Length of the axes of points, in edges. Below 1 some places are hardly within the reach of any point; the time grows with the
+/// square.
 pub const AXIS: Range = Range { low: 1.0, high: 2.0, unit: "" };
 /// ε, how strongly the weights of points are shifted.
 pub const SHIFT: Range = Range { low: 0.0, high: 1.0, unit: "" };
-/// Share of the canvas that a field of points has above its edge: beyond, its level would be a cliff.
+/// Share of the canvas on which a field of points is above its threshold. Outside this range a small change of the threshold
+/// changes the share much.
 pub const POINT_SHARE: Range = Range { low: 0.02, high: 0.98, unit: "" };
 /// Points of a group with one value.
 pub const GROUP: [u32; 2] = [1, 100];
 /// Points of a cluster.
 pub const CLUSTER: [u32; 2] = [1, 10_000];
-/// Rings of points by which borders and nets are thicker, at most.
+/// Most rings of points by which borders and nets are thickened.
 pub const RINGS: u32 = 8;
 /// Passes by a picture, at most: the eighth has points 1/11 as far apart as the first.
 pub const PASSES: u32 = 8;
 /// Rays of the cells of a space giraffe: fewer than 3 enclose nothing.
 pub const RAYS: [u32; 2] = [3, 60];
-/// The probability of the ends of a net.
+/// The probability that a point is an end of a net.
 pub const START: Range = Range { low: 0.001, high: 1.0, unit: "" };
 
-/// By how many px white is higher than black, of heights.
+/// Height of white above black in a picture of heights, px.
 pub const RELIEF: Range = Range { low: 0.0, high: MAX_SIDE as f64, unit: "px" };
 
 /// Share of a ring that is open.
@@ -154,7 +157,7 @@ impl Range {
         Self { low: MIN_LENGTH, high: f64::from(size[0].max(size[1])), unit: "px" }
     }
 
-    /// A coordinate of a centre, an end or a point, which may leave the canvas by as much as its whole side.
+    /// A coordinate of a centre, an end or a point, which may be outside the canvas by as much as the length of its side.
     #[must_use]
     pub fn around(side: u32) -> Self {
         Self { low: -f64::from(side), high: 2.0 * f64::from(side), unit: "px" }

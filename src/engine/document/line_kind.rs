@@ -1,9 +1,9 @@
-//! What grows as lines of scattered points.
+//! Kinds of lines that are made from scattered points.
 
 use crate::attributes::system::Description;
 use crate::points::lines::{CRACKS, STREAKS};
 
-/// What a layer of such lines grows.
+/// The kinds of lines that scattered points can make.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum LineKind {
     /// Ragged stripes with ends.
@@ -16,7 +16,7 @@ impl LineKind {
     /// All of them.
     pub const ALL: [Self; 2] = [Self::Streaks, Self::Cracks];
 
-    /// What the rest of the program has to know of it.
+    /// The properties of the kind that the rest of the program uses.
     #[must_use]
     pub const fn description(self) -> &'static Description {
         match self {
@@ -24,7 +24,7 @@ impl LineKind {
             Self::Cracks => &CRACKS,
         }
     }
-    /// The one that a description is of.
+    /// The kind with this description; `None` if the description is not one of such lines.
     #[must_use]
     pub fn of(description: &Description) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| kind.description() == description)

@@ -1,28 +1,28 @@
-//! A document in a link: it stands in the fragment of the address, which browsers keep to themselves.
+//! A document in a link: it stands in the fragment of the address, which browsers do not send to servers.
 //!
 //! ```text
 //!  document ─▶ JSON without what has its default ─▶ deflate (RFC 1951) ─▶ base64url without padding (RFC 4648) ─▶ #dapple1=…
 //! ```
 //!
-//! The number is the version of this writing; that of the document stands in the document.
+//! The number is the version of the link format; the version of the document is a part of the document.
 
 use serde_json::Value;
 
 use crate::document::limits::{MAX_LINK, MAX_LINK_TEXT};
 use crate::document::{BodySource, Document, Layer, LinkError, writer};
 
-/// Where the window is on the web, as long as settings name no other address. (This one is reserved: nobody has it.)
+/// Web address of the window unless the settings name another. (The domain is reserved and has no owner.)
 pub const SITE: &str = "https://dapple.example/";
 /// Characters of a fragment that messengers, mail programs and forums pass on whole.
 pub const SHORT: usize = 2_000;
 
-/// What precedes the version.
+/// Text before the version.
 const MARK: &str = "#dapple";
 /// The version that is written, and the newest that is read.
 const VERSION: &str = "1";
 /// The highest level of `miniz_oxide`.
 const LEVEL: u8 = 10;
-/// What messages call the document of a link.
+/// The name of the document of a link in messages.
 const SOURCE: &str = "the document in the link";
 
 /// Whether a text is an address with a document in its fragment, of whatever version, or such a fragment alone.
@@ -82,7 +82,7 @@ impl Document {
         Ok(document)
     }
 
-    /// Checks that it needs no file.
+    /// Checks that the document needs no file.
     fn without_files(&self) -> Result<(), LinkError> {
         let all = std::iter::once(self).chain(self.starred.iter().map(|starred| &starred.document));
         let file = |document: &Self| match (
@@ -102,7 +102,7 @@ fn parts(text: &str) -> Option<(&str, &str)> {
     is_link(text).then(|| text.split_once(MARK)?.1.split_once('=')).flatten()
 }
 
-/// The text of a document: bounded, whatever was packed.
+/// Unpacks the text of a document, up to [`MAX_LINK_TEXT`] bytes.
 fn unpacked(packed: &str) -> Result<Vec<u8>, LinkError> {
     let damaged = |why: String| LinkError::Damaged { why };
     let digits: String = packed.chars().filter(|c| !c.is_whitespace()).collect();
@@ -116,7 +116,7 @@ fn unpacked(packed: &str) -> Result<Vec<u8>, LinkError> {
     })
 }
 
-/// Removes from the JSON of a document what is read in the same way without it.
+/// Removes the keys that have their default values from the JSON of a document.
 fn leave_defaults_out(document: &mut Value) {
     let usual = writer::value(&Document { layers: vec![Layer::default()], ..Document::default() });
     remove_usual(document, &usual, &["format", "version", "size", "layers"]);
@@ -166,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_its_default_is_left_out_and_comes_back() {
+    fn values_at_their_defaults_are_left_out_and_read_back() {
         let document = document();
         let fragment = document.fragment().unwrap();
         let text = unpacked(fragment.strip_prefix("#dapple1=").unwrap()).unwrap();
@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_not_its_default_is_kept_also_of_kept_textures() {
+    fn values_other_than_defaults_are_kept_in_starred_textures_too() {
         let inner = Document { seed: 5, ..document() };
         let starred = vec![Starred { name: "seed 5".to_owned(), document: inner }];
         let mut document = Document { name: "a".to_owned(), seed: 7, dpi: 90.0, starred, ..document() };
@@ -218,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_link_unpacks_is_bounded() {
+    fn the_size_of_an_unpacked_link_is_bounded() {
         let bomb = link_of(&vec![b' '; 40 << 20]);
         assert!(bomb.len() < MAX_LINK, "{}", bomb.len());
         assert!(error(&bomb).contains("more than 1048576 bytes"));

@@ -1,16 +1,16 @@
-//! Pictures and noise by which what a layer asks for varies over the canvas (`"maps"`).
+//! Pictures and noise that vary the attributes of a layer over the canvas (`"maps"`).
 
 use crate::document::Problem;
 use crate::document::limits::{self, Range};
 use crate::document::node::Node;
 use crate::document::tone::{self, ToneImage};
 
-/// What a map varies.
+/// The attribute that a map varies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapKey {
     /// The area of spots, px².
     Area,
-    /// The distance of spots, px; of stripes their period, width and all.
+    /// The distance of spots or the period of stripes, px; the width of stripes changes with their period.
     Spacing,
     /// The direction, degrees.
     Direction,
@@ -20,12 +20,12 @@ pub enum MapKey {
     Duty,
     /// The place in the gradient of the layer's colours.
     Colour,
-    /// The growth G of Turing's system.
+    /// The parameter G of Turing's growth.
     Growth,
 }
 
 impl MapKey {
-    /// All of them, in the order in which documents write them.
+    /// All keys, in the order in which documents write them.
     pub const ALL: [Self; 7] =
         [Self::Area, Self::Spacing, Self::Direction, Self::Aspect, Self::Duty, Self::Colour, Self::Growth];
     /// The keys for attributes of marks.
@@ -45,7 +45,7 @@ impl MapKey {
         }
     }
 
-    /// The unit of its values; empty of shares.
+    /// The unit of its values; empty for ratios.
     #[must_use]
     pub fn unit(self) -> &'static str {
         match self {
@@ -56,7 +56,7 @@ impl MapKey {
         }
     }
 
-    /// What a map of it does, where it is a `factor` or not.
+    /// The way in which a map of this key changes values; `factor` tells whether the map is a factor.
     #[must_use]
     pub fn change(self, factor: bool) -> MapChange {
         match (self, factor) {
@@ -66,7 +66,7 @@ impl MapKey {
         }
     }
 
-    /// A range with which one sees what a map does.
+    /// A range with a clearly visible effect.
     #[must_use]
     pub fn usual(self, change: MapChange) -> [f64; 2] {
         match (self, change) {
@@ -84,7 +84,7 @@ impl MapKey {
         }
     }
 
-    /// What the two numbers of `range` may be.
+    /// The values that are allowed for the two numbers of `range`.
     #[must_use]
     pub fn allowed(self, change: MapChange) -> Range {
         match (self, change) {
@@ -100,10 +100,10 @@ impl MapKey {
     }
 }
 
-/// What a map does with the value that is there without it.
+/// The way in which a map changes the value of the sketch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapChange {
-    /// Its own value is taken instead.
+    /// The value of the map replaces it.
     Replace,
     /// The attribute is multiplied by the value.
     Multiply,
@@ -114,24 +114,24 @@ pub enum MapChange {
 /// One map of a layer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LayerMap {
-    /// Where its values come from.
+    /// Source of its values.
     pub source: MapSource,
     /// The values at black and at white, or at the lowest and the highest of the noise: see [`MapKey::allowed`].
     pub range: [f64; 2],
 }
 
-/// Where the values of a map come from.
+/// Source of the values of a map.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MapSource {
     /// A picture, stretched over the canvas.
     Image {
         /// Each px as it is stored: 0 = black, 255 = white.
         image: ToneImage,
-        /// Whether what the sketch asks for is multiplied by the map instead of replaced (directions are turned by it, and of colours it
-        /// says whether places in the gradient are multiplied or shifted).
+        /// Whether the map multiplies the values of the sketch instead of replacing them. For directions it adds to them; for
+        /// colours it tells whether places in the gradient are multiplied or shifted.
         factor: bool,
     },
-    /// Noise; always a factor, of directions a turn and of colours a shift.
+    /// Noise: it multiplies values, but is added to directions and to places of colours.
     Noise {
         /// Distance from a light place to the next dark one, px: [`limits::MAP_SIZE`].
         size: f64,
@@ -141,10 +141,10 @@ pub enum MapSource {
 }
 
 impl LayerMap {
-    /// The octaves of a noise where the document does not say: a second one breaks the round shapes of the first.
+    /// The octaves of a noise for which the document gives no number: the second octave breaks up the round shapes of the first.
     pub const OCTAVES: u32 = 2;
 
-    /// Size of a new noise, px: some marks of a usual sketch.
+    /// Size of a new noise, px: several times the distance of marks in a usual sketch.
     const SIZE: f64 = 140.0;
 
     /// A new noise that varies `key`.
@@ -155,14 +155,14 @@ impl LayerMap {
         Self { range: key.usual(map.change(key)), ..map }
     }
 
-    /// A new map by which a picture changes what is asked for; colours are shifted.
+    /// A new map by which a picture changes the values of the sketch; colours are shifted.
     #[must_use]
     pub fn picture(key: MapKey, image: ToneImage) -> Self {
         let map = Self { source: MapSource::Image { image, factor: key != MapKey::Colour }, range: [0.0; 2] };
         Self { range: key.usual(map.change(key)), ..map }
     }
 
-    /// What it does with the values of `key`.
+    /// The way in which the map changes the values of `key`.
     #[must_use]
     pub fn change(&self, key: MapKey) -> MapChange {
         match self.source {
@@ -188,36 +188,36 @@ impl LayerMaps {
         self.0[key as usize] = map;
     }
 
-    /// The maps that there are.
+    /// The maps that are set.
     pub fn iter(&self) -> impl Iterator<Item = (MapKey, &LayerMap)> {
         MapKey::ALL.into_iter().zip(&self.0).filter_map(|(key, map)| Some((key, map.as_ref()?)))
     }
 
-    /// Whether there is none.
+    /// Whether no map is set.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.iter().all(Option::is_none)
     }
 
-    /// The maps that change what grows.
+    /// The maps that influence the growth, not only the colours.
     pub fn growing(&self) -> impl Iterator<Item = (MapKey, &LayerMap)> {
         self.iter().filter(|(key, _)| *key != MapKey::Colour)
     }
 
-    /// Whether one changes what grows.
+    /// Whether one of the maps influences the growth.
     #[must_use]
     pub fn change_growth(&self) -> bool {
         self.growing().next().is_some()
     }
 
-    /// Which attributes have a map, in the order of [`MapKey::ALL`].
+    /// For each attribute, whether it has a map, in the order of [`MapKey::ALL`].
     #[must_use]
     pub fn present(&self) -> [bool; MapKey::ALL.len()] {
         MapKey::ALL.map(|key| self.get(key).is_some())
     }
 }
 
-/// A layer's maps.
+/// Reads the maps of a layer.
 pub(super) fn read(node: &Node) -> Result<LayerMaps, Problem> {
     node.keys(&MapKey::ALL.map(MapKey::name))?;
     let mut maps = LayerMaps::default();
@@ -227,7 +227,7 @@ pub(super) fn read(node: &Node) -> Result<LayerMaps, Problem> {
     Ok(maps)
 }
 
-/// What embeds a picture as it has to be.
+/// The remedy for a picture in another form.
 const REMEDY: &str = "dapple grow --map embeds any picture so";
 
 fn map(node: &Node, key: MapKey) -> Result<LayerMap, Problem> {
@@ -239,7 +239,7 @@ fn map(node: &Node, key: MapKey) -> Result<LayerMap, Problem> {
         let octaves = noise
             .get("octaves")
             .map_or(Ok(LayerMap::OCTAVES.into()), |node| node.whole(1, limits::MAP_OCTAVES.into()))?;
-        // At most eight.
+        // The cast is exact: there are at most eight octaves.
         let map = LayerMap { source: MapSource::Noise { size, octaves: octaves as u32 }, range: [0.0; 2] };
         return ranged(&noise, key, map);
     }
@@ -250,7 +250,7 @@ fn map(node: &Node, key: MapKey) -> Result<LayerMap, Problem> {
     ranged(node, key, LayerMap { source: MapSource::Image { image, factor }, range: [0.0; 2] })
 }
 
-/// `map` with the range that `node` says.
+/// Returns `map` with the range in `node`.
 fn ranged(node: &Node, key: MapKey, map: LayerMap) -> Result<LayerMap, Problem> {
     let allowed = key.allowed(map.change(key));
     let range = node.need("range", &format!("a list of 2 numbers, each {allowed}"))?.numbers([allowed; 2])?;

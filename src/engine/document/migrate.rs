@@ -6,7 +6,7 @@ use crate::document::node::Node;
 use crate::document::{DocumentError, Problem};
 use serde_json::{Value, json};
 
-/// Turns a document of one version into one of the next. What it does not know is left for the reader to refuse.
+/// Changes a document of one version into one of the next. Values that it does not know are left to the reader, which refuses them.
 type Migration = fn(Value) -> Value;
 
 /// `MIGRATIONS[i]` turns version i + 1 into version i + 2. Append new ones; never change an old one.

@@ -1,8 +1,8 @@
 //! The document: everything that defines a texture, and its `.dapple` file (JSON, UTF-8).
 //!
-//! A document that was read is valid: every number is finite and within [`limits`], some part of every
-//! mark lies on the canvas (on a tile the rest of it continues at the other side), and no layer mixes ellipses with lines or paths (freehand strokes are fitted, and checked, when the document
-//! is grown).
+//! A document that was read is valid: every number is finite and within [`limits`], some part of every mark lies on the canvas (on
+//! a tile the rest of it continues at the other side), and no layer mixes ellipses with lines or paths. (Freehand strokes are
+//! fitted, and checked, when the document is grown.)
 //!
 //! | key | default |
 //! |---|---|
@@ -49,7 +49,7 @@
 //! | an ellipse's `outline` | none: it was drawn as an ellipse |
 //! | the `width` of a line, a path or a freehand stroke | 6 px |
 //!
-//! `options.spread` of a layer of spots says how much they differ from each other, as [`Spread`] defines it:
+//! `options.spread` of a layer of spots tells how much they differ from each other, as [`Spread`] defines it:
 //!
 //! | value | meaning |
 //! |---|---|
@@ -57,14 +57,13 @@
 //! | a number, 0–0.6 | the coefficient of variation of the area; shapes, directions and distances are even |
 //! | `{"area": 0–0.6, "angle": 0–45, "aspect": 0–0.2, "spacing": 0–0.2}` | each by itself; what is left out is even |
 //!
-//! `options.duty` of a layer of stripes says which share of the way from one stripe to the next each covers. `"drawn"`:
-//! as the drawn lines do that lie side by side, and half of it where none do. With regions it is the mean of the lines of each;
-//! a region in which none lie side by side takes the period of the nearest one in which some do. A number, 0.18–0.82: they are
-//! as wide as drawn, and width ÷ duty apart. At 0.5 `auto` takes `meinhardt-stripes`, whose stripes are as wide as
-//! their gaps; otherwise `meinhardt-lines`, thin stripes on wide ground. `meinhardt-stripes` takes no other duty. Stripes that
-//! cover more than half of their period are the gaps between such lines: the lines are grown, and the pattern is 1 − theirs.
-//! A layer grows either stripes or gaps, by the mean of the duty over the canvas; where strokes of the same layer ask for the
-//! other side of 0.5, their width is kept and the duty is about 0.5.
+//! `options.duty` of a layer of stripes is the width of the stripes ÷ their period. `"drawn"`: the duty of the drawn lines that lie
+//! side by side, and 0.5 where none do. With regions it is the mean of the lines of each; a region in which no lines lie side by
+//! side takes the period of the nearest one in which some do. A number, 0.18–0.82: the stripes are as wide as drawn, and width ÷
+//! duty apart. At 0.5 `auto` takes `meinhardt-stripes`, whose stripes are as wide as their gaps; otherwise `meinhardt-lines`, thin
+//! stripes on wide ground. `meinhardt-stripes` takes no other duty. Stripes that cover more than half of their period are the gaps
+//! between such lines: the lines are grown, and the pattern is 1 − theirs. A layer grows either stripes or gaps, by the mean of the
+//! duty over the canvas; strokes of the layer that ask for the other side of 0.5 keep their width and get a duty of about 0.5.
 //!
 //! `"system": "weave"` of a layer of lines and paths that cross grows threads of two to five directions, as Witkin and Kass
 //! (SIGGRAPH 1991). `auto` takes it where lines cross and both go on; with `"stripes"` such lines stay stripes, which have one
@@ -77,8 +76,8 @@
 //! Directions less than 20° apart count as one. Pieces are as long as the lines are in the mean, and regions whose lines have one direction
 //! are one piece.
 //!
-//! `"system": "cells"` of a layer of ellipses and outlines grows cells of their area, aspect and direction, parted by lines of the width
-//! `options.gap`; `"drawn"`, that of the gaps between drawn outlines that nearly touch.
+//! `"system": "cells"` of a layer of ellipses and outlines grows cells of their area, aspect and direction. `options.gap` is the
+//! width of the lines between the cells; `"drawn"` = the width of the gaps between drawn outlines that nearly touch.
 //!
 //! `"system": "patches"` of a layer of ellipses and outlines grows blotches as on cows and giraffes: scattered points, of which each
 //! patch claims those that are nearest to its centre. `auto` takes them where outlines are drawn, and where
@@ -101,13 +100,13 @@
 //! where the map between regions wants something else; there it is off unless asked for. On a canvas of another size than
 //! the document's the marks stand at the stretched places and keep their size. Not with `"after"` around, net, inside.
 //!
-//! `options.seeding` of a layer of stripes with a duty of 0.5 says what they begin from:
+//! `options.seeding` of a layer of stripes with a duty of 0.5 is the initial state of the stripes:
 //!
 //! | value | meaning |
 //! |---|---|
 //! | `"noise"` | noise of their wavelength and direction; they grow along a tensor and follow the direction to 4° (rms) |
-//! | `"segments"` | short lines of their direction at random places, and no tensor, as in Phan & Grimm, V.1: forked and wavy, 18° off (rms) |
-//! | `"initiators"` | the drawn lines alone, and no tensor: stripes radiate from them in regular order, as in Turk's "Regular Stripe Patterns" and Phan & Grimm, figure 11 |
+//! | `"segments"` | short lines of their direction at random places, no tensor (Phan & Grimm, V.1): forked and wavy, 18° off (rms) |
+//! | `"initiators"` | the drawn lines alone, no tensor: regular stripes around them (Turk, "Regular Stripe Patterns") |
 
 mod area_kind;
 mod areas;
@@ -183,7 +182,7 @@ pub struct Document {
     pub name: String,
     /// Width and height of the canvas, px, 1 to [`limits::MAX_SIDE`] each.
     pub size: [u32; 2],
-    /// Columns and rows of regions, 1 to [`limits::MAX_REGIONS`] each; `None` = each mark says what is wanted around it.
+    /// Columns and rows of regions, 1 to [`limits::MAX_REGIONS`] each; `None` = each mark gives the wanted properties around it.
     pub regions: Option<[u32; 2]>,
     /// Whether the canvas ends at its border or wraps around, which a very narrow one may not ([`limits::MAX_TILE_RATIO`]).
     pub edges: Edges,
@@ -191,7 +190,7 @@ pub struct Document {
     pub seed: u64,
     /// Dots an inch, for print.
     pub dpi: f64,
-    /// How it is grown.
+    /// Settings of its growth.
     pub growth: Growth,
     /// The model that it grows on; `None` = a flat canvas.
     pub model: Option<Body>,
@@ -225,7 +224,7 @@ impl Default for Document {
 /// A texture that was kept beside the document's own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Starred {
-    /// What differs from the sketch, in a few words.
+    /// Short name of the difference from the sketch.
     pub name: String,
     /// Its document, which keeps no others.
     pub document: Document,
@@ -263,8 +262,9 @@ impl Document {
 impl Document {
     /// Whether the drawn marks of the layer at `index` are among those that grow (`options.keep`).
     ///
-    /// Not where a picture or a growth drives the layer. Otherwise the default is yes without regions and with one. With several regions, the region map may ask for something else
-    /// where a mark lies, as [`Layer::maps`] and [`Self::parametric`] may; and irregular spots differ from drawn ellipses.
+    /// Never if a tone or Turing's growth drives the layer. The default is yes without regions and with one. It is no with several
+    /// regions, with [`Layer::maps`] and with [`Self::parametric`], because these may give other properties at the place of a mark,
+    /// and for irregular spots, because these differ from drawn ellipses.
     #[must_use]
     pub fn keeps_marks(&self, index: usize) -> bool {
         let Some(layer) = self.layers.get(index).filter(|layer| !layer.is_driven()) else {
@@ -284,7 +284,7 @@ impl Document {
     }
 }
 
-/// How a document is grown.
+/// Settings of the growth of a document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Growth {
     /// Whether a grown texture is measured and its parameters are corrected by what was found.
@@ -302,17 +302,17 @@ impl Default for Growth {
 pub struct Layer {
     /// Its name; may be empty.
     pub name: String,
-    /// Which system grows it.
+    /// The system that grows it.
     pub system: SystemChoice,
-    /// How it meets the frozen marks beneath it.
+    /// Position of its marks relative to the frozen marks beneath.
     pub after: After,
     /// Whether it is painted; a hidden layer still grows.
     pub visible: bool,
     /// Its own seed; `None` = derived, see [`Document::layer_seed`].
     pub seed: Option<u64>,
-    /// What was drawn; at least one, unless there is a tone, or its system is a field of points or Turing's growth.
+    /// The drawn marks; at least one, unless there is a tone, or its system is a field of points or Turing's growth.
     pub strokes: Vec<Stroke>,
-    /// What was drawn on the model; none without a model. Documents hold it among the strokes.
+    /// The marks drawn on the model; none without a model. Documents hold them among the strokes.
     pub on_model: Vec<BodyMark>,
     /// The spacing that was wanted far from all ellipses before the strokes were last changed, px: it stays while these agree with it.
     /// `None` = they alone say it. Means nothing with regions.
@@ -337,7 +337,7 @@ impl Layer {
         is_undrawn && self.tone.is_none() && !self.system.is_known(|system| system.grows_blank)
     }
 
-    /// Whether its pattern follows from a picture or a growth: it has a `tone`, or Turing's growth makes it.
+    /// Whether a picture or a field determines its pattern: it has a `tone`, or its system is Turing's growth.
     #[must_use]
     pub fn is_driven(&self) -> bool {
         self.tone.is_some() || self.system.kind() == Some(Family::Growth)
@@ -374,27 +374,27 @@ impl Default for Layer {
 /// A layer's options beyond its marks; [`layer_rules`] says which of them go with which layer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LayerOptions {
-    /// How much its spots differ from each other.
+    /// Random differences between its spots.
     pub spread: SpreadChoice,
     /// Stripe ÷ period.
     pub duty: DutyChoice,
     /// The share of each ring of an `around` layer that is open, 0..[`limits::BROKEN`].
     pub broken: f64,
-    /// How irregular its spots are, 0–1.
+    /// Irregularity of its spots, 0–1.
     pub irregular: f64,
     /// Whether the drawn marks are among those that grow; `None` = see [`Document::keeps_marks`].
     pub keep: Option<bool>,
-    /// What its stripes begin from.
+    /// Initial state of its stripes.
     pub seeding: Seeding,
-    /// How ragged its patches are, or the edges of its spots and stripes.
+    /// Raggedness of its patches, or of the edges of its spots and stripes.
     pub ragged: RaggedChoice,
     /// Points from which a patch is made, [`limits::DETAIL`]: the more, the finer its fringes; or a streak: the more, the longer it is.
     pub detail: f64,
     /// Width of the lines between its cells.
     pub gap: GapChoice,
-    /// How far the gain of its stucco falls, 0–[`limits::DECAY`]: 1 − the last ÷ the first. The more, the fewer worms beside dots.
+    /// Decrease of the gain of its stucco, 0–[`limits::DECAY`]: 1 − the last ÷ the first. The larger, the fewer worms beside dots.
     pub decay: f64,
-    /// Which threads of its weave lie over the others.
+    /// Rule that tells which threads of its weave lie over the others.
     pub over: Over,
 }
 
@@ -421,10 +421,10 @@ impl Default for LayerOptions {
     }
 }
 
-/// What follows from the drawn marks, or is given.
+/// A value that either follows from the drawn marks or is given.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum DrawnOr<T> {
-    /// What follows from the drawn marks.
+    /// The value follows from the drawn marks.
     #[default]
     Drawn,
     /// This everywhere, whatever was drawn.
@@ -432,31 +432,31 @@ pub enum DrawnOr<T> {
 }
 
 impl<T> DrawnOr<T> {
-    /// What is given; `None` of [`Self::Drawn`].
+    /// The given value; `None` for [`Self::Drawn`].
     #[must_use]
     pub fn given(self) -> Option<T> {
         if let Self::Given(value) = self { Some(value) } else { None }
     }
 }
 
-/// How ragged the edges of a layer are: as the drawn outlines (ellipses are smooth; spots and stripes as they grow), or by this much,
-/// 0–[`limits::RAGGED`]: the standard deviation σ of the logarithm of the distance by which patches claim their points; of spots and
-/// stripes what exceeds the raggedness of smooth ones by as much.
+/// Raggedness of the edges of a layer. It follows from the drawn outlines (ellipses are smooth; spots and stripes keep the edges
+/// that they grow) or is given, 0–[`limits::RAGGED`]: the standard deviation σ of the logarithm of the distance by which patches
+/// claim their points. Edges of spots and stripes get the same increase of raggedness over smooth ones.
 pub type RaggedChoice = DrawnOr<f64>;
 
-/// How wide the lines between the cells of a layer are: as the gaps between drawn outlines that nearly touch, or so many px,
-/// [`limits::GAP`].
+/// Width of the lines between the cells of a layer, px, [`limits::GAP`]. It follows from the gaps between drawn outlines that
+/// nearly touch, or is given.
 pub type GapChoice = DrawnOr<f64>;
 
-/// How much the spots of a layer differ from each other: as much as the marks of their region, if these are at least six, otherwise not
-/// at all; or this much.
+/// Random differences between the spots of a layer. They follow from the marks of a region, if these are at least six (otherwise
+/// there are none), or are given.
 pub type SpreadChoice = DrawnOr<Spread>;
 
-/// Which share of their period the stripes of a layer cover: that of the drawn lines that lie side by side, with regions of each region
-/// ([`LayerOptions::DUTY`] where none do); or this, 0.18–0.82.
+/// Share of their period that the stripes of a layer cover. It follows from drawn lines that lie side by side, with regions
+/// separately for each ([`LayerOptions::DUTY`] if no lines do), or is given, 0.18–0.82.
 pub type DutyChoice = DrawnOr<f64>;
 
-/// What was drawn.
+/// One drawn stroke.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stroke {
     /// A spot.
@@ -479,7 +479,7 @@ pub enum Stroke {
     Fitted {
         /// The ellipse.
         ellipse: Ellipse,
-        /// What was drawn.
+        /// The drawn outline.
         outline: Outline,
     },
 }
@@ -488,7 +488,7 @@ impl Stroke {
     /// Width of a line, a path or a freehand stroke that states none, px.
     pub const WIDTH: f64 = 6.0;
 
-    /// The mark that it stands for, a freehand stroke fitted; `None` of a freehand stroke that is no mark.
+    /// The mark of the stroke; a mark is fitted to a freehand stroke. `None` for a freehand stroke that is no mark.
     #[must_use]
     pub fn mark(&self) -> Option<Mark> {
         match self {
@@ -500,7 +500,7 @@ impl Stroke {
         }
     }
 
-    /// The stroke that stands for `mark` instead: an outline, also that of a closed freehand stroke, is moved, turned and stretched as
+    /// The stroke that stands for `mark` instead: an outline, also that of a closed freehand stroke, is moved, rotated and stretched as
     /// its ellipse was to become that of `mark`; other strokes become the mark.
     #[must_use]
     pub fn changed(&self, mark: Mark) -> Self {
@@ -522,7 +522,7 @@ impl Stroke {
         }
     }
 
-    /// What it is; `None` for a freehand stroke, which must be fitted first.
+    /// The kind of the mark; `None` for a freehand stroke, which must be fitted first.
     #[must_use]
     pub fn kind(&self) -> Option<Kind> {
         match self {

@@ -37,7 +37,7 @@ impl<'a> Node<'a> {
         }
     }
 
-    /// The problem that this value is not `allowed`.
+    /// The problem of a value that is not one of the `allowed` ones.
     pub(super) fn wrong(&self, allowed: impl Into<String>) -> Problem {
         Problem::new(self.place(), quoted(self.value), allowed)
     }
@@ -118,7 +118,7 @@ impl<'a> Node<'a> {
         let mut items = self.items_of(2, "whole numbers")?;
         for (count, most) in counts.iter_mut().zip(most) {
             if let Some(item) = items.next() {
-                // Cannot be cut: it is at most `most`.
+                // The cast is exact: the number is at most `most`.
                 *count = item.whole(1, u64::from(most))? as u32;
             }
         }
@@ -181,7 +181,7 @@ pub(super) fn number(x: f64) -> Value {
 pub(super) fn quoted(value: &Value) -> String {
     const LONGEST: usize = 60;
     let json = match value {
-        // A long list would only be written out to be cut.
+        // A long list would be cut anyway.
         Value::Array(list) if list.len() > LONGEST => format!("a list of {} values", list.len()),
         Value::Null => "null".to_owned(),
         value => value.to_string(),

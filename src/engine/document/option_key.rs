@@ -1,4 +1,4 @@
-//! The keys of a layer's `options`: what reader, writer, rules and window know of each stands in one table.
+//! The keys of a layer's `options`: one table for the reader, the writer, the rules and the window.
 
 use serde_json::{Map, Value, json};
 
@@ -11,31 +11,31 @@ use crate::document::{DrawnOr, LayerOptions, Over, Problem, Seeding, SpreadChoic
 /// One key of a layer's `options`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OptionKey {
-    /// How much the spots differ from each other.
+    /// Random differences between spots.
     Spread,
-    /// How irregular the shapes of the spots are.
+    /// Irregularity of the shapes of spots.
     Irregular,
     /// Width of the stripes ÷ their period.
     Duty,
-    /// What stripes begin from.
+    /// Initial state of stripes.
     Seeding,
     /// The share of each ring that is open.
     Broken,
     /// Whether the drawn marks are among those that grow.
     Keep,
-    /// How ragged edges are.
+    /// Raggedness of edges.
     Ragged,
     /// Points a patch or a streak.
     Detail,
     /// Width of the lines between cells.
     Gap,
-    /// How far the gain of stucco falls.
+    /// Decrease of the gain of stucco.
     Decay,
-    /// Which threads lie over the others.
+    /// Rule that tells which threads lie over the others.
     Over,
 }
 
-/// How one option stands in a document.
+/// One option in a document.
 struct Entry {
     /// Its key.
     name: &'static str,

@@ -11,20 +11,20 @@ pub struct Outline {
     pub points: Vec<[f64; 2]>,
 }
 
-/// What a turn by one radian weighs against a stretch of one axis by e, where an ellipse can become another in four ways: a hand that
-/// turns an outline turns it by a few degrees between two frames, and one that stretches it stretches it by little.
+/// Weight of a rotation by one radian against a stretch of one axis by a factor of e. It selects one of the four ways in which an
+/// ellipse can become another. Between two frames an outline is usually rotated by a few degrees and stretched by little.
 const TURNING: f64 = 0.3;
 
 impl Outline {
-    /// The outline of a closed freehand stroke; `None` of an open one, and where a document cannot hold it because it encloses
+    /// The outline of a closed freehand stroke; `None` for an open one, and where a document cannot hold it because it encloses
     /// nothing or crosses itself.
     #[must_use]
     pub fn closed(points: &[[f64; 2]]) -> Option<Self> {
         Self::of(closed_outline(points, limits::MAX_CORNERS)?)
     }
 
-    /// The polygon with these corners, every so many of them where there are more than a document can hold, to a thousandth of a px;
-    /// `None` as of [`Self::closed`].
+    /// The polygon with these corners, rounded to a thousandth of a px. Corners are left out at equal steps if there are more than
+    /// a document can hold. `None` for the outlines that [`Self::closed`] refuses.
     #[must_use]
     pub fn of(corners: Vec<[f64; 2]>) -> Option<Self> {
         let step = corners.len().div_ceil(limits::MAX_CORNERS).max(1);
@@ -37,8 +37,8 @@ impl Outline {
         (encloses && !crosses()).then_some(Self { points })
     }
 
-    /// The outline carried by the map that takes the ellipse `from`, along its axes, to the ellipse `to`: of the four such maps the one
-    /// that stretches and turns least.
+    /// This outline under the affine map that takes the axes of the ellipse `from` to those of the ellipse `to`. There are four
+    /// such maps; the one that stretches and rotates least is used.
     pub(super) fn carried(&self, from: &Ellipse, to: &Ellipse) -> Self {
         let way = |quarter: i32| {
             let [r, q] = from.radii;
@@ -90,7 +90,7 @@ mod tests {
         assert!(near(&larger, &|[u, v]| [x + 2.0 * (u - x), y + 2.0 * (v - y)]), "{larger:?}");
         let turned = after(Ellipse { angle: ellipse.angle + 90.0, ..ellipse });
         assert!(near(&turned, &|[u, v]| [x - (v - y), y + (u - x)]), "{turned:?}");
-        // The same ellipse, its axes named the other way round.
+        // The ellipse of before with its axes exchanged.
         let [r, q] = ellipse.radii;
         let same = after(Ellipse { radii: [q, r], angle: ellipse.angle - 90.0, ..ellipse });
         assert!(near(&same, &|at| at), "{same:?}");

@@ -30,7 +30,7 @@ pub const MAX_FILE: u64 = 1 << 20;
 const FORMAT: &str = "dapple palette";
 const VERSION: u64 = 1;
 
-/// Why a palette could not be read or written.
+/// The reason why a palette could not be read or written.
 #[derive(Debug, thiserror::Error)]
 pub enum PaletteError {
     /// The file cannot be opened or read.
@@ -49,7 +49,7 @@ pub enum PaletteError {
         /// The file.
         file: String,
     },
-    /// The ending of the name is of no palette.
+    /// The file name does not end like that of a palette.
     #[error(
         "{file}: found the ending \"{ending}\"; allowed: .json (keeps everything) or .gpl (a GIMP palette)"
     )]
@@ -64,7 +64,7 @@ pub enum PaletteError {
     Gpl {
         /// The file.
         file: String,
-        /// Where and why.
+        /// The place and the reason.
         problem: GplError,
     },
     /// The palette has no colours, or more than a bar can hold.
@@ -72,7 +72,7 @@ pub enum PaletteError {
     Count {
         /// The file.
         file: String,
-        /// How many colours it has.
+        /// Number of colours in the palette.
         found: usize,
     },
     /// The file is not a dapple palette.
@@ -202,7 +202,7 @@ fn named(swatches: &[Swatch]) -> Option<Vec<f64>> {
     places.is_sorted().then_some(places)
 }
 
-/// From 0 to 1; one alone at 0.
+/// `count` values at equal steps from 0 to 1; a single one is 0.
 fn even(count: usize) -> Vec<f64> {
     let last = count.saturating_sub(1).max(1) as f64;
     // Four digits are enough, and easier to read than 0.3333333333333333.

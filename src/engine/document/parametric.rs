@@ -7,13 +7,13 @@ use crate::document::limits;
 use crate::document::node::Node;
 use crate::surface::HeightField;
 
-/// A surface x(u) over the points u of the canvas. What is drawn is wanted on the surface; the canvas is its flat map.
+/// A surface x(u) over the points u of the canvas. The attributes of the sketch hold on the surface; the canvas is its flat map.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ParametricSurface {
     /// Heights over the canvas.
     Heights(Relief),
-    /// A torus: the canvas goes once round its ring along x and once round its tube along y, both as long as it is wide and high in
-    /// the middle. It is wider than high and wraps.
+    /// A torus: the canvas goes once round its ring along x and once round its tube along y. The middle of the tube is as long as the
+    /// canvas is wide, and the tube is as long around as the canvas is high. The canvas is wider than high, and its edges wrap.
     Torus,
 }
 
@@ -22,9 +22,9 @@ pub enum ParametricSurface {
 pub struct Relief {
     /// The path of the picture, relative to the folder of the document.
     pub path: String,
-    /// By how many px white is higher than black.
+    /// Height of white above black, px.
     pub scale: f64,
-    /// What the picture holds, or why it is not known.
+    /// The heights in the picture, or the reason why they are not known.
     pub heights: Result<Arc<HeightField>, String>,
 }
 
@@ -32,7 +32,7 @@ impl ParametricSurface {
     /// The name of a torus in documents.
     const TORUS: &'static str = "torus";
 
-    /// What messages call it.
+    /// Its name in messages.
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {
@@ -49,7 +49,7 @@ impl ParametricSurface {
 }
 
 impl Relief {
-    /// Heights in a picture which is not read yet.
+    /// Heights in a picture that has not been read yet.
     #[must_use]
     pub fn new(path: String, scale: f64) -> Self {
         let heights = Err(format!("{path}, which was not looked for"));
@@ -67,7 +67,7 @@ impl Relief {
     }
 }
 
-/// The parametric surface that a model is; `None` of other models.
+/// The parametric surface of a model; `None` for other models.
 pub(super) fn read(node: &Node) -> Result<Option<ParametricSurface>, Problem> {
     if let Some(surface) = node.get("surface") {
         node.keys(&["surface"])?;

@@ -1,4 +1,4 @@
-//! What a field of points is made of (`"points"`).
+//! Settings of a field of points (`"points"`).
 
 use crate::document::limits::{self, Range};
 use crate::document::node::Node;
@@ -6,30 +6,30 @@ use crate::document::systems::POINTS;
 use crate::document::tone::{self, ToneImage};
 use crate::document::{Colours, Layer, Problem, SystemChoice};
 
-/// What the points of a layer are, how far apart, and how their values become a field.
+/// Kind and distance of the points of a layer, and how their values become a field.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Points {
     /// Radius of the discs, px, at the two ends of the progression: [`limits::POINT_DISTANCE`]. `None` = as the drawn ellipses, or
     /// [`Points::ACROSS`] along the longer side where there are none.
     pub distance: Option<[f64; 2]>,
-    /// Where the two ends of distances and probabilities are.
+    /// The way along which distances and probabilities change.
     pub progression: Progression,
-    /// What gives points their values.
+    /// Rule that gives points their values.
     pub labels: Labels,
     /// Octaves, 1–[`limits::POINT_OCTAVES`]: each of half the distance and half the weight of the one before it.
     pub octaves: u32,
     /// Whether each octave is folded at ½.
     pub fold: bool,
-    /// How a place between points gets its value.
+    /// Interpolation of the values between points.
     pub interpolation: Interpolation,
     /// Length of the axes, in edges: [`limits::AXIS`].
     pub axis: f64,
     /// ε, how strongly weights are shifted: [`limits::SHIFT`].
     pub shift: f64,
-    /// Where they are shifted to.
+    /// The direction in which they are shifted.
     pub towards: Towards,
-    /// The share of the canvas above the edge: [`limits::POINT_SHARE`]. `None` = as the drawn ellipses cover it; without any as
-    /// [`Labels::share_is_asked`] says, or as it comes.
+    /// The share of the canvas above the edge: [`limits::POINT_SHARE`]. `None` = the share that the drawn ellipses cover; without
+    /// ellipses the share that the labels ask for ([`Labels::share_is_asked`]), or the share that results.
     pub share: Option<f64>,
 }
 
@@ -37,7 +37,8 @@ impl Points {
     /// Points along the longer side where nothing is drawn and no distance is given: their single blots are large enough to be seen.
     pub const ACROSS: f64 = 16.0;
 
-    /// Whether it has a level that can be moved until a share of the canvas is above it: cells of dark and light points have none.
+    /// Whether the field has a threshold that can be moved until a given share of the canvas is above it. Cells of dark and light
+    /// points have none.
     #[must_use]
     pub fn has_level(&self) -> bool {
         let is_cut = self.labels.are_dark_or_light() && self.octaves == 1;
@@ -52,7 +53,7 @@ impl Layer {
         const WHITE: [u8; 3] = [0xf6, 0xf2, 0xea];
         const BLACK: [u8; 3] = [0x1c, 0x17, 0x14];
         let points = Points { axis: 1.5, share: Some(0.42), ..Points::default() };
-        // So narrow a passage from one colour to the other is about a px wide.
+        // So narrow a transition between the colours is about a px wide.
         let colours = Colours::new([(0.0, WHITE), (0.488, WHITE), (0.512, BLACK), (1.0, BLACK)]);
         Self {
             system: SystemChoice::Of(&POINTS),
@@ -80,13 +81,13 @@ impl Default for Points {
     }
 }
 
-/// Along which way distances and probabilities go from their first value to their second.
+/// The way along which distances and probabilities change from their first value to their second.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Progression {
-    /// From left to right; of a tile to its middle and back.
+    /// From left to right; on a tile to its middle and back.
     #[default]
     Across,
-    /// From top to bottom; of a tile to its middle and back.
+    /// From top to bottom; on a tile to its middle and back.
     Down,
     /// From the middle to the corners.
     Outward,
@@ -94,10 +95,10 @@ pub enum Progression {
     Image(ToneImage),
 }
 
-/// What gives points their values.
+/// Rule that gives points their values.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Labels {
-    /// Random grays, one for each group of so many neighbours: [`limits::GROUP`].
+    /// Random grays, one for each group of this number of neighbours: [`limits::GROUP`].
     Values {
         /// Points a group.
         group: u32,
@@ -107,14 +108,14 @@ pub enum Labels {
         /// The probability of dark, 0–1, at the two ends of the progression.
         dark: [f64; 2],
     },
-    /// Dark or light at random, the darker a picture, the more likely.
+    /// Dark or light at random: the darker the picture, the more often dark.
     Image {
         /// The picture, stretched over the canvas: black is always dark, white never.
         image: ToneImage,
-        /// Passes, [`limits::PASSES`]: each takes the field of the one before it for the picture, with finer points.
+        /// Passes, [`limits::PASSES`]: each uses the field of the previous one as its picture, with finer points.
         passes: u32,
     },
-    /// Cells with uneven edges, one a disc.
+    /// Cells with uneven edges, one for each disc.
     SpaceGiraffe {
         /// The fewest and the most rays round a cell: [`limits::RAYS`].
         rays: [u32; 2],
@@ -129,18 +130,18 @@ pub enum Labels {
         /// Points a cluster.
         size: u32,
     },
-    /// Clusters that take turns until they meet, with light borders.
+    /// Clusters that grow in turn until they meet, with light borders.
     RoundRobin {
         /// Points a cluster, on average.
         size: u32,
-        /// By how many points borders are thicker: 0–[`limits::RINGS`].
+        /// Rings of points by which borders are thickened: 0–[`limits::RINGS`].
         rings: u32,
     },
     /// A dark net: some points, and the shortest paths between them.
     Connected {
         /// The probability of being one of those points: [`limits::START`].
         start: f64,
-        /// By how many points the net is thicker: 0–[`limits::RINGS`].
+        /// Rings of points by which the net is thickened: 0–[`limits::RINGS`].
         rings: u32,
     },
 }
@@ -193,7 +194,7 @@ impl Labels {
     /// The probability of the ends of a net (`facts.md` U: a cracked net).
     pub const START: f64 = 0.04;
 
-    /// The labels of this name with their defaults; `None` of a picture, which has none, and of other names.
+    /// The labels of this name with their defaults; `None` for labels by a picture, which has no default, and for unknown names.
     #[must_use]
     pub fn of_name(name: &str) -> Option<Self> {
         let size = Self::SIZE;
@@ -243,7 +244,7 @@ impl Labels {
     }
 }
 
-/// How a place between points gets its value.
+/// Interpolation of the values between points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Interpolation {
     /// The weighted mean of the points around it: smooth edges.
@@ -258,7 +259,7 @@ impl Interpolation {
     pub const NAMES: [(&'static str, Self); 2] = [("smooth", Self::Smooth), ("nearest", Self::Nearest)];
 }
 
-/// Where the weights of points are shifted to.
+/// The direction in which the weights of points are shifted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Towards {
     /// To a random side each.
@@ -270,7 +271,7 @@ pub enum Towards {
     Angle(f64),
 }
 
-/// The points of a layer.
+/// Reads the points of a layer.
 pub(super) fn read(node: &Node) -> Result<Points, Problem> {
     node.keys(&[
         "distance",
@@ -318,12 +319,12 @@ fn one_or_two(node: &Node, range: Range) -> Result<[f64; 2], Problem> {
 
 /// The whole number of `key`, between two.
 fn whole(node: &Node, key: &str, default: u32, [low, high]: [u32; 2]) -> Result<u32, Problem> {
-    // Cannot be cut: it is at most `high`.
+    // The cast is exact: the number is at most `high`.
     let read = |node: Node| node.whole(u64::from(low), u64::from(high)).map(|number| number as u32);
     node.get(key).map_or(Ok(default), read)
 }
 
-/// What embeds a picture as it has to be.
+/// The remedy for a picture in another form.
 const REMEDY: &str = "docs/points.md says how to make one";
 
 fn progression(node: &Node) -> Result<Progression, Problem> {

@@ -47,7 +47,7 @@ pub(super) fn document(root: &Node) -> Result<Document, Problem> {
     })
 }
 
-/// Textures that are kept beside the document's own. These keep no others.
+/// Reads textures that are kept beside the document's own; these keep no others.
 fn starred(node: &Node) -> Result<Vec<Starred>, Problem> {
     let allowed = format!("a list of at most {} objects with name and document", limits::MAX_STARRED);
     let one = |node: Node| {
@@ -144,7 +144,7 @@ pub(super) fn colours(node: &Node) -> Result<Colours, Problem> {
     Ok(Colours { stops, bends })
 }
 
-/// At least one stop; their places ascend.
+/// Reads at least one stop; the places of stops ascend.
 fn stops(node: &Node) -> Result<Vec<Stop>, Problem> {
     let mut stops: Vec<Stop> = Vec::new();
     for item in node.items("a list of colour stops")? {
@@ -176,7 +176,7 @@ fn colour(node: &Node) -> Result<[u8; 4], Problem> {
     }
 }
 
-/// No more bends than `gaps` between stops.
+/// Reads the bends, at most one for each of the `gaps` between stops.
 fn bends(node: &Node, gaps: usize) -> Result<Vec<[f64; 4]>, Problem> {
     const HANDLES: [Range; 4] = [limits::BEND_X, limits::BEND_Y, limits::BEND_X, limits::BEND_Y];
     let bends = node.items("a list of bends [x1, y1, x2, y2]")?;

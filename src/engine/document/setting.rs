@@ -1,4 +1,4 @@
-//! Values that are put into a document by their places, such as `layers[0].options.ragged=.2`.
+//! Values that are set in a document by their places, such as `layers[0].options.ragged=.2`.
 
 use std::str::FromStr;
 
@@ -14,7 +14,7 @@ pub struct Setting {
     value: Value,
 }
 
-/// One step from a value into it.
+/// One step of the path to a place: a key or an index.
 #[derive(Clone, Debug, PartialEq)]
 enum Step {
     Key(String),
@@ -39,7 +39,7 @@ impl FromStr for Setting {
     }
 }
 
-/// The steps of a place; `None` where it is none.
+/// The steps of a place; `None` if the text is not a place.
 fn steps(place: &str) -> Option<Vec<Step>> {
     let mut steps = Vec::new();
     for part in place.split('.') {
@@ -117,10 +117,10 @@ impl Setting {
 }
 
 impl Document {
-    /// The document with these values in their places, checked as a file is. Messages call it `source_name`.
+    /// The document with these values set, checked as a file is checked. Messages call it `source_name`.
     ///
     /// # Errors
-    /// A place that is none, or the first value that a document may not hold.
+    /// A place that does not exist, or the first value that a document may not hold.
     pub fn with_settings(self, settings: &[Setting], source_name: &str) -> Result<Self, DocumentError> {
         if settings.is_empty() {
             return Ok(self);

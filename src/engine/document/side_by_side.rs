@@ -1,22 +1,22 @@
-//! Closed outlines that nearly touch: the user may want cells.
+//! Closed outlines that nearly touch, which suggests that the user wants cells.
 
 use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::{AreaKind, Document, Kind, Layer, SystemChoice};
 use crate::grid::Bounds;
 use crate::marks::{Ellipse, Mark};
 
-/// Marks of a layer, at least.
+/// Least number of marks of a layer.
 const LEAST: usize = 3;
-/// Two outlines nearly touch where the gap between them is at most this share of √area of the smaller one. As dense as spots grow, at
-/// area ÷ spacing² of 0.2, it is 1.1.
+/// Largest gap between two outlines that nearly touch, as a share of √area of the smaller one. Spots at their highest density, area
+/// ÷ spacing² = 0.2, have gaps of 1.1.
 const NEAR: f64 = 0.35;
-/// The share of the marks that must have such a neighbour.
+/// Least share of the marks with such a neighbour.
 const MOST: f64 = 0.75;
 
 impl Document {
-    /// Whether the marks of a layer lie side by side as cells do: most of three and more closed outlines nearly touch another one.
-    /// Only of a layer whose system is chosen automatically, and which may be cells. `marks` are those of its strokes, `None` of a
-    /// stroke that is no mark.
+    /// Whether the marks of a layer lie side by side like cells: there are at least three closed outlines, and most of them nearly
+    /// touch another one. False unless the system is chosen automatically and the layer may be cells. `marks` are the marks of its
+    /// strokes, `None` for a stroke that is no mark.
     #[must_use]
     pub fn looks_like_cells(&self, layer: &Layer, marks: &[Option<Mark>]) -> bool {
         let ellipses: Option<Vec<Ellipse>> =
@@ -38,7 +38,7 @@ impl Document {
     }
 }
 
-/// Whether cells of this layer break no rule.
+/// Whether the layer breaks no rule if it grows cells.
 fn may_be_cells(layer: &Layer) -> bool {
     let system = SystemChoice::Of(AreaKind::Polygons.description());
     let combination = Combination::new(layer, Some(Kind::Ellipse), Beneath::Unknown);

@@ -8,7 +8,8 @@ use crate::document::{Body, BodyMark, Outline, Problem, Stroke, SystemChoice};
 use crate::marks::{Ellipse, Line, Mark, Path, ellipse_of_outline, largest_loop, polygon_is_on};
 use crate::sketch::recognise;
 
-/// A layer's strokes on the canvas and on the model, where there is one: at least one unless there may be none, ellipses or lines; both only where the `system` takes lines beside ellipses.
+/// A layer's strokes on the canvas and on the model, where there is one: at least one unless there may be none. They are ellipses
+/// or lines; both only if the `system` takes lines beside ellipses.
 pub(super) fn strokes(
     node: &Node,
     (size, model): ([u32; 2], Option<&Body>),
@@ -89,7 +90,7 @@ fn path(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     Ok(Stroke::from(mark))
 }
 
-/// Where neither a piece of the stroke nor the mean of its points is on the canvas, what it stands for may be.
+/// Even if no piece of the stroke and not the mean of its points is on the canvas, the mark that is fitted to it may be.
 fn freehand(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     node.keys(&["kind", "points", "width"])?;
     let list = node.need("points", POINTS)?;
@@ -98,7 +99,7 @@ fn freehand(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     let mean = [0, 1].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / n);
     let (canvas, width) = (size.map(f64::from), width(node, size)?);
     let is_inside = (0..2).all(|axis| (0.0..=canvas[axis]).contains(&mean[axis]));
-    // The pen's width says nothing of a closed stroke.
+    // The width of the pen has no meaning for a closed stroke.
     let thin = || Mark::Path(Path { points: points.clone(), width: MIN_LENGTH });
     let is_read =
         is_inside || thin().is_on(canvas) || recognise(&points, width).is_some_and(|mark| mark.is_on(canvas));

@@ -6,14 +6,14 @@ use serde::de::{Deserialize, Deserializer, Error as _, MapAccess, SeqAccess, Vis
 use serde_json::{Map, Value};
 use std::fmt;
 
-/// Where a text stops being JSON, and why.
+/// The place where a text stops being JSON, and the reason.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct SyntaxProblem {
     /// Line, from 1.
     pub line: usize,
     /// Character in the line, from 1.
     pub column: usize,
-    /// What was found and what is allowed.
+    /// The text that was found, and what is allowed instead.
     pub problem: String,
 }
 

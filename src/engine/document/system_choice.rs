@@ -1,4 +1,4 @@
-//! Which system a layer asks for.
+//! The system that is requested for a layer.
 
 use crate::attributes::system::{Description, Family, LookupBy};
 use crate::document::systems::SYSTEMS;
@@ -14,7 +14,7 @@ pub enum SystemChoice {
     Auto,
     /// Chosen like [`Self::Auto`], but lines that cross stay stripes.
     Stripes,
-    /// This one of [`SYSTEMS`].
+    /// A particular one of [`SYSTEMS`].
     Of(&'static Description),
 }
 
@@ -40,39 +40,55 @@ impl SystemChoice {
         Self::names().into_iter().find(|(of, _)| *of == name).map(|(_, choice)| choice)
     }
 
-    /// What is known of the system; `None` of those that leave it open.
+    /// The description of the system; `None` for the choices that leave the system open.
     #[must_use]
     pub const fn description(self) -> Option<&'static Description> {
         if let Self::Of(system) = self { Some(system) } else { None }
     }
 
-    /// What it grows a layer of; `None` of those that leave the system open.
+    /// The family of the system; `None` for the choices that leave the system open.
     #[must_use]
     pub fn kind(self) -> Option<Family> {
         self.description().map(|system| system.kind)
     }
 
-    /// The system that training rows are looked up for; `None` of those that leave it open, systems of pairs, and
-    /// what scattered points make.
+    /// The system that training rows are looked up for; `None` for the choices that leave the system open, systems of pairs, and
+    /// systems of scattered points.
     #[must_use]
     pub fn system(self) -> Option<System> {
         let system = self.description().filter(|system| matches!(system.lookup, LookupBy::Rows))?;
         System::named(system.name)
     }
 
-    /// The system of pairs.
+    /// The system that grows stripes where the user names none: one that grows any wavelength if a duty or a wavelength is given
+    /// (`has_duty`), otherwise one whose wavelength follows from the width. `None` if there is no such system.
+    #[must_use]
+    pub fn system_of_stripes(has_duty: bool) -> Option<System> {
+        System::first(|system| system.is_striped() && system.free_spacing == has_duty)
+    }
+
+    /// The choice, with [`Self::Stripes`] replaced by the [`Self::system_of_stripes`].
+    #[must_use]
+    pub fn with_stripes_chosen(self, has_duty: bool) -> Self {
+        match (self, Self::system_of_stripes(has_duty)) {
+            (Self::Stripes, Some(system)) => Self::Of(system.description()),
+            _ => self,
+        }
+    }
+
+    /// The system of pairs, if it is one.
     #[must_use]
     pub fn pairs(self) -> Option<PairKind> {
         PairKind::of(self.description()?)
     }
 
-    /// What areas it grows.
+    /// The kind of areas that it grows, if any.
     #[must_use]
     pub fn areas(self) -> Option<AreaKind> {
         AreaKind::of(self.description()?)
     }
 
-    /// What lines of points it grows.
+    /// The kind of lines that it grows from points, if any.
     #[must_use]
     pub fn lines(self) -> Option<LineKind> {
         LineKind::of(self.description()?)
@@ -90,7 +106,7 @@ impl SystemChoice {
         self.description().is_some_and(property)
     }
 
-    /// Whether a system with this property can be taken: any can with [`Self::Auto`].
+    /// Whether a system with this property can be chosen; [`Self::Auto`] can choose any.
     #[must_use]
     pub fn allows(self, property: impl Fn(&Description) -> bool) -> bool {
         match self {
@@ -137,7 +153,7 @@ impl SystemChoice {
         }
     }
 
-    /// A small picture of what it grows, as a PNG; empty where it may grow any of them.
+    /// A small picture of the pattern that it grows, as a PNG; empty where the system is open.
     #[must_use]
     pub const fn picture(self) -> &'static [u8] {
         match self {

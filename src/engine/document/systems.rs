@@ -10,7 +10,7 @@ pub use crate::points::fields::POINTS;
 pub use crate::points::patches::PATCHES;
 pub use crate::rd::pairs::polygons::POLYGONS;
 
-/// Turing's system with a growth that varies.
+/// Turing's system whose parameter G varies over the canvas.
 pub const TURING_GROWTH: &Description = System::with_growth().description();
 
 /// The systems after the ones of [`System::ALL`].
@@ -51,7 +51,7 @@ pub fn of_parameters() -> impl Iterator<Item = &'static Description> {
     SYSTEMS.iter().copied().filter(|system| matches!(system.lookup, LookupBy::Rows))
 }
 
-/// The systems of pairs, whose rows say how far their laws are off.
+/// The systems of pairs, whose training rows hold the errors of their laws.
 pub fn of_pairs() -> impl Iterator<Item = &'static Description> {
     SYSTEMS.iter().copied().filter(|system| matches!(system.lookup, LookupBy::Pairs(_)))
 }

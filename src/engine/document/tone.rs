@@ -15,9 +15,9 @@ pub struct Tone {
     pub image: ToneImage,
     /// The share of ink where the picture is white, and where it is black; each 0..1. Falling: a negative.
     pub range: [f64; 2],
-    /// What follows the picture.
+    /// The properties of the pattern that follow the picture.
     pub drives: Drives,
-    /// How much the drawn direction counts against the edges of the picture, in means of their own weight: 0–[`limits::SKETCH`].
+    /// Weight of the drawn direction, relative to the mean weight of the picture's edges: 0–[`limits::SKETCH`].
     pub sketch: f64,
     /// Whether the contrast of the picture is evened out, so that all tones occur everywhere.
     pub equalise: bool,
@@ -26,7 +26,8 @@ pub struct Tone {
 impl Tone {
     /// The share of ink at white and at black. A tenth of their distance is about two px of the tone.
     pub const RANGE: [f64; 2] = [0.1, 0.9];
-    /// The weight of the drawn direction: flat parts hatch cleanly, edges hardly turn.
+    /// The weight of the drawn direction: flat parts of the picture get straight hatching, and the directions at edges hardly
+    /// change.
     pub const SKETCH: f64 = 0.1;
 
     /// A tone of this picture, with all defaults.
@@ -36,7 +37,7 @@ impl Tone {
     }
 }
 
-/// What of a pattern follows the picture.
+/// The properties of a pattern that follow the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Drives {
     /// The local share of ink.
@@ -77,7 +78,7 @@ struct Picture {
 }
 
 impl ToneImage {
-    /// A picture of `size` px; `None` where there are not as many `values`, no px, or more than [`limits::TONE_SIDE`] a side.
+    /// A picture of `size` px; `None` if the number of `values` differs, or for no px, or more than [`limits::TONE_SIDE`] a side.
     ///
     /// ```
     /// use dapple_engine::document::ToneImage;
@@ -109,7 +110,7 @@ impl ToneImage {
     #[must_use]
     pub fn base64(&self) -> &str {
         self.0.text.get_or_init(|| {
-            // Sides from 1 to 1024 px can be held by any PNG, and memory does not fail to take them.
+            // Encoding does not fail: any PNG can have sides of 1 to 1024 px, and it is written to memory.
             base64::encode(gray_png::encode(self.0.size, &self.0.values).unwrap_or_default())
         })
     }
@@ -143,10 +144,10 @@ pub(super) fn read(node: &Node) -> Result<Tone, Problem> {
     })
 }
 
-/// What embeds a picture as it has to be.
+/// The remedy for a picture in another form.
 const REMEDY: &str = "dapple grow --tone embeds any picture so";
 
-/// The gray picture of `node`; `remedy` says how another one becomes such.
+/// Reads the gray picture of `node`; `remedy` tells the user how to convert another picture.
 pub(super) fn image(node: &Node, remedy: &str) -> Result<ToneImage, Problem> {
     node.keys(&["png"])?;
     let node = node.need("png", "a gray PNG in base64")?;

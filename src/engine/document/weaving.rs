@@ -7,20 +7,20 @@ use crate::grid::Bounds;
 use crate::marks::{Line, Mark, Path, turn};
 use crate::rd::pairs::{MOST_PAIRS, PairKind};
 
-/// Lines cross where each goes on beyond the other, on both sides, by so many widths of the other and this share of its own length: what
-/// goes less far was drawn to end there (chevrons, T-joints, rays), and the hand went a little too far. Of 100 T-joints of a hand
-/// that does not see where the other line is, 5 count as crossing; 14 did with 1.5 widths and 0.08.
+/// Two lines cross where each extends beyond the other, on both sides, by this multiple of the other's width and by this share of its own
+/// length. A line that extends less was meant to end there (chevrons, T-joints, rays), and was drawn a little too far. Of 100
+/// T-joints drawn by hand without sight of the other line, 5 count as crossing; 14 did with 1.5 widths and 0.08.
 const BEYOND: (f64, f64) = (2.0, 0.1);
-/// Widths of a line about a crossing over which its [`direction`] is measured. Three widths in all are longer than the hand's
-/// shaking, and shorter than the bends of drawn lines.
+/// Length over which the [`direction`] of a line is measured to both sides of a crossing, in widths of the line. Three widths in
+/// all are longer than the unsteadiness of the hand, and shorter than the bends of drawn lines.
 const ABOUT: f64 = 1.5;
 
 impl Document {
-    /// The system of pairs that grows layer `index`: the one that is asked for, or a weave where the system is chosen automatically and
-    /// drawn lines cross; `None` of all other layers.
+    /// The system of pairs that grows layer `index`: the one that is asked for, or a weave where the system is chosen automatically
+    /// and drawn lines cross; `None` for all other layers.
     ///
-    /// Lines cross where both go on, at 30° and more, in two to five directions. A layer that asks for what a weave cannot give (an
-    /// `after` or an option that [`layer_rules`](super::layer_rules) refuses), or says whether its marks are kept, is none.
+    /// Lines cross where both go on, at 30° or more, in two to five directions. A layer is not a weave if it has an `after` or an
+    /// option that [`layer_rules`](super::layer_rules) refuses for a weave, or if it states whether its marks are kept.
     #[must_use]
     pub fn pairs(&self, index: usize) -> Option<PairKind> {
         let layer = self.layers.get(index)?;
@@ -30,8 +30,8 @@ impl Document {
         self.pairs_of(layer, &marks)
     }
 
-    /// The system of pairs that grows `layer`, see [`Self::pairs`], given the fitted `marks` of its strokes: `None` of a stroke
-    /// that is no mark.
+    /// The system of pairs that grows `layer`, see [`Self::pairs`]. `marks` are the fitted marks of its strokes, `None` for a
+    /// stroke that is no mark.
     #[must_use]
     pub fn pairs_of(&self, layer: &Layer, marks: &[Option<Mark>]) -> Option<PairKind> {
         match layer.system {
@@ -41,7 +41,7 @@ impl Document {
     }
 }
 
-/// Whether a weave of this layer breaks no rule.
+/// Whether the layer breaks no rule if it grows a weave.
 fn may_weave(layer: &Layer) -> bool {
     let weave = SystemChoice::Of(PairKind::Weave.description());
     let combination = Combination::new(layer, Some(Kind::Line), Beneath::Unknown);
@@ -56,14 +56,14 @@ fn weaves(document: &Document, layer: &Layer, marks: &[Option<Mark>]) -> bool {
     may_weave(layer) && (0..lines.len()).any(crosses) && can_weave(document, &lines)
 }
 
-/// Whether these lines have as many directions in one place as a weave can have.
+/// Whether these lines have the largest number of directions in one place that a weave can have.
 #[must_use]
 pub(super) fn can_weave(document: &Document, lines: &[Path]) -> bool {
     let bounds = Bounds { size: document.size.map(f64::from), edges: document.edges };
     (2..=MOST_PAIRS).contains(&direction_groups(lines, &bounds).len())
 }
 
-/// Whether two lines cross at [`CROSSING`] and more where both go on.
+/// Whether two lines cross at an angle of [`CROSSING`] or more where both go on.
 fn cross(a: &Path, b: &Path) -> bool {
     if !a.may_touch(b) {
         return false;
@@ -79,8 +79,8 @@ fn cross(a: &Path, b: &Path) -> bool {
     a.crossings_along(b).iter().any(is_weave)
 }
 
-/// The direction of a path about a place `along` it (px), degrees: of the piece that is [`ABOUT`] widths long to both sides, so that what
-/// the hand shakes counts little.
+/// The direction of a path near a place `along` it (px), degrees: that of the piece that extends [`ABOUT`] widths to both sides.
+/// The length averages out the unsteadiness of the hand.
 fn direction(path: &Path, along: f64) -> f64 {
     let (length, half) = (path.length(), ABOUT * path.width);
     let [from, to] = [along - half, along + half].map(|at| path.at(at / length).point);

@@ -41,7 +41,7 @@ pub(super) fn value(document: &Document) -> Value {
     Value::Object(map)
 }
 
-/// A document inside of another, whose format and version it has.
+/// A document inside another one, which has the format and the version of the outer one.
 fn inner(document: &Document) -> Value {
     let mut value = value(document);
     if let Value::Object(map) = &mut value {
@@ -89,7 +89,7 @@ fn layer(layer: &Layer) -> Value {
     Value::Object(map)
 }
 
-/// All but what is at its default.
+/// The keys of a model that are not at their defaults.
 fn model(body: &Body) -> Value {
     let mut map = Map::new();
     map.insert("file".into(), json!(body.source.name()));
@@ -156,7 +156,7 @@ fn tone(tone: &Tone) -> Value {
     })
 }
 
-/// All but what is at its default.
+/// The keys of points that are not at their defaults.
 fn points(points: &Points) -> Value {
     let default = Points::default();
     let mut map = Map::new();
@@ -220,7 +220,7 @@ fn labels(labels: &Labels) -> Value {
     }
 }
 
-/// Two numbers, or one where they are the same.
+/// Two numbers, or one number if they are equal.
 fn one_or_two(both: [f64; 2]) -> Value {
     if both[0] == both[1] { number(both[0]) } else { numbers(&both) }
 }

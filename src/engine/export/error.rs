@@ -1,4 +1,4 @@
-//! Why a file was not written: for whoever writes files.
+//! The reasons for which a file was not written, for the user.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -7,7 +7,7 @@ use thiserror::Error;
 
 use super::format::{Content, Format, endings};
 
-/// Why a file was not written. Nothing incomplete is left behind, and an existing file is unchanged.
+/// The reason why a file was not written. No incomplete file is left behind, and an existing file is unchanged.
 #[derive(Debug, Error)]
 pub enum ExportError {
     /// An unknown ending, or the ending of a format that does not fit.
@@ -40,7 +40,7 @@ pub enum ExportError {
         format: Format,
         /// The content.
         what: &'static str,
-        /// The formats that can.
+        /// The formats that can hold the content.
         allowed: &'static str,
     },
     /// The path is a folder.

@@ -22,8 +22,8 @@ const BLOCK_ROWS: usize = 16;
 /// Bytes of one band of rows: enough for all threads, and compressed in less than half a second.
 const BAND: usize = 8 << 20;
 
-/// Writes `channels` of `size` px without holding them: `fill` is called for band after band, from the top, and writes the
-/// values of the given rows into one slice for each channel, in the order of `channels`. `dpi` is px an inch.
+/// Writes `channels` of `size` px without holding them in memory: `fill` is called for band after band, from the top, and writes
+/// the values of the given rows into one slice for each channel, in the order of `channels`. `dpi` is px an inch.
 ///
 /// # Errors
 /// The errors of `out` and `fill`; an invalid or repeated channel name; a side of 0 or of 2³¹ px.

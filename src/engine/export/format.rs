@@ -18,7 +18,7 @@ pub enum Format {
     Webp,
 }
 
-/// What a picture shows.
+/// The kind of content of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Content {
     /// Colours to look at.
@@ -106,9 +106,9 @@ impl Format {
         }
     }
 
-    /// Bytes a px that its writer holds in addition to the current band: WebP needs the whole picture at once. Measured: 7.0,
-    /// and 8.0 with opacity, for one texture of 8192² px. This value is larger because the compressed picture is part of it
-    /// and other textures compress worse.
+    /// Bytes a px that the writer holds in addition to the current band: WebP needs the whole picture at once. Measured: 7.0, and
+    /// 8.0 with opacity, for one texture of 8192² px. This value is larger because the compressed picture is part of it and other
+    /// textures compress worse.
     #[must_use]
     pub fn writer_bytes_per_px(self) -> f64 {
         if self == Self::Webp { 14.0 } else { 0.0 }
@@ -116,7 +116,7 @@ impl Format {
 }
 
 impl Content {
-    /// The endings of the formats that can hold it.
+    /// The endings of the formats that can hold `content`.
     #[must_use]
     pub fn endings(self) -> Vec<&'static str> {
         Format::ENDINGS.iter().filter(|(_, format)| format.holds(self)).map(|(ending, _)| *ending).collect()

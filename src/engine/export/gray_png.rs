@@ -1,4 +1,4 @@
-//! Gray pictures that travel in other files, as PNG of 8 bits.
+//! Gray pictures inside other files, as PNG of 8 bits.
 
 use std::io::Cursor;
 
@@ -10,7 +10,7 @@ use crate::export::png::{Header, Samples, write};
 /// A gray picture: width and height, px, and its values row by row from the top.
 pub type GrayPicture = ([usize; 2], Vec<u8>);
 
-/// Why bytes are no gray picture of 8 bits.
+/// The reason why bytes are no gray picture of 8 bits.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NotGray {
     /// Not a PNG, or a damaged one.
@@ -46,10 +46,10 @@ pub fn encode(size: [usize; 2], values: &[u8]) -> Result<Vec<u8>, Stopped> {
     Ok(bytes)
 }
 
-/// The gray picture in a PNG of at most `most` px a side.
+/// Decodes the gray picture in a PNG of at most `most` px a side.
 ///
 /// # Errors
-/// [`NotGray`]. The size is checked before anything is unpacked.
+/// [`NotGray`]. The size is checked before any data is unpacked.
 pub fn decode(bytes: &[u8], most: u32) -> Result<GrayPicture, NotGray> {
     let damaged = |error: png::DecodingError| NotGray::Damaged(error.to_string());
     let limits = Limits { bytes: 16 << 20 };
@@ -83,7 +83,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_picture_comes_back_as_it_was_and_is_small() {
+    fn a_picture_is_unchanged_after_decoding_and_its_file_is_small() {
         let size = [90, 50];
         let values: Vec<u8> = (0..size[0] * size[1]).map(|px| (px % size[0] + px / size[0]) as u8).collect();
         let bytes = encode(size, &values).unwrap();
@@ -92,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_gray_picture_of_that_size_is_refused() {
+    fn files_that_are_no_gray_picture_of_that_size_are_refused() {
         let bytes = encode([20, 10], &[7; 200]).unwrap();
         assert_eq!(decode(&bytes, 19), Err(NotGray::Size([20, 10])));
         assert!(matches!(decode(&bytes[..bytes.len() / 2], 20), Err(NotGray::Damaged(_))));

@@ -1,4 +1,4 @@
-//! The maps of a material: file names that engines know, and writing all of them at once.
+//! The maps of a material: file names that engines recognise, and writing all maps in one pass.
 
 use std::io::Write;
 use std::ops::Range;
@@ -34,7 +34,7 @@ pub enum Map {
 }
 
 impl Map {
-    /// All of them.
+    /// All maps.
     pub const ALL: [Self; 10] = [
         Self::BaseColour,
         Self::Opacity,
@@ -48,7 +48,7 @@ impl Map {
         Self::Id,
     ];
 
-    /// The end of its file's name; docs/materials.md lists the engines that know it.
+    /// The suffix of its file name; docs/materials.md lists the engines that recognise it.
     #[must_use]
     pub fn suffix(self) -> &'static str {
         match self {
@@ -110,7 +110,8 @@ pub fn name(text: &str) -> String {
     if name.is_empty() { "dapple".to_owned() } else { name }
 }
 
-/// The flat colour of the marks of layer `label` (1 = the lowest; 0 = the ground). Hues are a golden section of the circle apart.
+/// The flat colour of the marks of layer `label` (1 = the lowest; 0 = the ground). Successive hues differ by the golden section of
+/// the circle.
 #[must_use]
 pub fn id_colour(label: u8) -> [u8; 3] {
     if label == 0 {
@@ -148,12 +149,12 @@ impl Set<'_> {
     }
 }
 
-/// The index of the map that failed, and why.
+/// The index of the map that failed, and the reason.
 #[derive(Debug)]
 pub struct Failed {
-    /// The place of the map in [`Set::maps`].
+    /// The index of the map in [`Set::maps`].
     pub at: usize,
-    /// Why.
+    /// The reason.
     pub why: Stopped,
 }
 
@@ -162,8 +163,8 @@ fn failed(at: usize) -> impl Fn(Stopped) -> Failed {
     move |why| Failed { at, why }
 }
 
-/// Writes all maps of `set` into `outputs`, in the order of [`Set::maps`], without holding them. `fill` is called for bands of
-/// `rows_a_band` rows from the top and writes the bytes of each map into one slice, in the same order.
+/// Writes all maps of `set` into `outputs`, in the order of [`Set::maps`], without holding them in memory. `fill` is called for
+/// bands of `rows_a_band` rows from the top and writes the bytes of each map into one slice, in the same order.
 ///
 /// # Errors
 /// The error of `fill` or of an output.
@@ -203,7 +204,7 @@ pub fn write_some(
         for (band, map) in bands.iter_mut().zip(maps) {
             band.resize(rows.len() * width * map.samples(set.deep, set.transparent).bytes(), 0);
         }
-        // `fill` does not belong to one file: the error names the first.
+        // `fill` does not belong to one file: the error names the first one.
         fill(rows, &mut bands).map_err(failed(0))?;
         let pushed = files.par_iter_mut().zip(&bands).enumerate();
         pushed.try_for_each(|(at, (file, band))| file.push(band).map_err(failed(at)))?;
@@ -223,7 +224,7 @@ mod tests {
         assert!(name(&"x".repeat(1000)).len() <= 100);
     }
 
-    /// Accepts so many bytes.
+    /// Accepts this number of bytes.
     struct Disk(usize);
 
     impl Write for Disk {

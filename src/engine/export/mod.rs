@@ -3,8 +3,9 @@
 //! [`picture`] writes rows in a [`Format`]: [`png`], [`tiff`], [`exr`], JPEG or WebP. [`png_text`] reads the texts in a PNG.
 //! [`gray_png`] holds gray pictures that travel in documents.
 //! [`outline`] draws the outlines of marks as SVG and DXF. [`maps`] computes heights, normals and occlusion of patterns;
-//! [`material`] and [`gltf`] write them as engines expect. [`motion`] writes films. [`body`] draws and writes models. [`downscale()`] makes a small picture of a
-//! large one. All of them write to any stream; [`ExportError`] says for whoever writes files why one was not written.
+//! [`material`] and [`gltf`] write them as engines expect. [`motion`] writes films. [`body`] draws and writes models.
+//! [`downscale()`] makes a small picture of a large one. All of them write to any stream; [`ExportError`] tells the user why a file
+//! was not written.
 
 pub mod bake;
 pub mod body;
@@ -28,7 +29,7 @@ pub use downscale::{downscale, srgb_from_linear};
 pub use error::ExportError;
 pub use format::{Content, Format, has_ending};
 
-/// Why a writer stopped early.
+/// The reason why a writer stopped early.
 #[derive(Debug, thiserror::Error)]
 pub enum Stopped {
     /// The bytes could not be written.

@@ -10,7 +10,7 @@ use super::{Format, Stopped, exr, png, tiff, web};
 /// Default quality of a JPEG, 1 to 100: no blocks are visible in a smooth pattern at twice its size.
 pub const QUALITY: u8 = 92;
 
-/// How lossy and slow formats are encoded.
+/// Settings of lossy and slow encoders.
 #[derive(Clone, Copy, Debug)]
 pub struct Encoding {
     /// Quality of a JPEG, 1 to 100.
@@ -26,8 +26,8 @@ impl Default for Encoding {
     }
 }
 
-/// Writes a picture of any height, for all formats but WebP without holding it: `fill` is called for band after band, from the
-/// top, and writes the bytes of the given rows into the slice, `size[0] * samples.bytes()` a row.
+/// Writes a picture of any height; for all formats but WebP it is not held in memory. `fill` is called for band after band, from
+/// the top, and writes the bytes of the given rows into the slice, `size[0] * samples.bytes()` a row.
 ///
 /// In OpenEXR gray is channel `Y`, and colours are linear and multiplied by the opacity, as its readers expect.
 ///
@@ -67,7 +67,7 @@ pub fn write(
 /// ```
 ///
 /// # Errors
-/// As [`write()`]; `rgb` too short for `size`.
+/// The errors of [`write()`]; `rgb` too short for `size`.
 pub fn rgb8(out: impl Write + Seek, format: Format, size: [usize; 2], rgb: &[u8]) -> Result<(), Stopped> {
     write(out, format, Encoding::default(), Header::new(size, Samples::Rgb8), |rows, band| {
         let source = rgb.get(3 * rows.start * size[0]..3 * rows.end * size[0]);
@@ -163,7 +163,7 @@ mod tests {
         assert!(error.contains("JPEG") && error.contains("Rgba8"), "{error}");
     }
 
-    /// Counts the bytes that are written once it is cancelled.
+    /// Counts the bytes that are written after the cancellation.
     struct Counting<'a> {
         file: io::Cursor<Vec<u8>>,
         cancelled: &'a Cell<bool>,
@@ -212,7 +212,7 @@ mod tests {
                     Ok(())
                 });
             assert!(matches!(ended, Err(Stopped::Cancelled)), "{format:?}");
-            // What the compressor of a PNG holds: less than a hundredth.
+            // Bytes still held by the compressor of a PNG: less than a hundredth.
             assert!(late.get() <= 1 << 18, "{format:?}: {} bytes", late.get());
             assert!(bands.get() >= 2, "{format:?}");
         }

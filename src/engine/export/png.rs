@@ -56,7 +56,7 @@ impl Samples {
     }
 }
 
-/// The head of a picture file.
+/// The properties of a picture file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Header<'a> {
     /// Width and height, px; each at least 1.
@@ -72,7 +72,7 @@ pub struct Header<'a> {
 }
 
 impl Header<'_> {
-    /// A head without px an inch and without texts.
+    /// Properties without px an inch and without texts.
     #[must_use]
     pub fn new(size: [usize; 2], samples: Samples) -> Self {
         Self { size, samples, dpi: None, texts: &[], colours: true }
@@ -93,8 +93,8 @@ const BAND: usize = 8 << 20;
 /// Bytes of one IDAT chunk.
 const CHUNK: usize = 256 << 10;
 
-/// Writes a picture of any height without holding it: `fill` is called for band after band, from the top, and writes the bytes
-/// of the given rows into the slice, `size[0] * samples.bytes()` a row.
+/// Writes a picture of any height without holding it in memory: `fill` is called for band after band, from the top, and writes the
+/// bytes of the given rows into the slice, `size[0] * samples.bytes()` a row.
 ///
 /// The same rows give the same file.
 ///
@@ -121,8 +121,8 @@ pub fn write(
     file.finish()
 }
 
-/// A writer that keeps failing after its first error. `png` 0.18 does not report an error of the last rows, but then reports
-/// that of the end of the file.
+/// A writer that keeps failing after its first error. `png` 0.18 does not report an error while it writes the last rows, but it
+/// reports one at the end of the file.
 struct Fused<W> {
     out: W,
     failed: Option<io::ErrorKind>,
@@ -216,7 +216,7 @@ impl<W: Write> Rows<'_, W> {
 /// ```
 ///
 /// # Errors
-/// As [`write()`]; `rgb` too short for `size`.
+/// The errors of [`write()`]; `rgb` too short for `size`.
 pub fn rgb8(out: impl Write, size: [usize; 2], dpi: Option<f64>, rgb: &[u8]) -> Result<(), Stopped> {
     whole(out, Header { dpi, ..Header::new(size, Samples::Rgb8) }, rgb)
 }
@@ -224,7 +224,7 @@ pub fn rgb8(out: impl Write, size: [usize; 2], dpi: Option<f64>, rgb: &[u8]) -> 
 /// Writes a label picture of one byte a px.
 ///
 /// # Errors
-/// As [`write()`]; `labels` too short for `size`.
+/// The errors of [`write()`]; `labels` too short for `size`.
 pub fn gray8(out: impl Write, size: [usize; 2], dpi: Option<f64>, labels: &[u8]) -> Result<(), Stopped> {
     whole(out, Header { dpi, ..Header::new(size, Samples::Gray8) }, labels)
 }
@@ -232,7 +232,7 @@ pub fn gray8(out: impl Write, size: [usize; 2], dpi: Option<f64>, labels: &[u8])
 /// Writes a pattern: 0..1 becomes 0..65535, rounded; values outside are clipped.
 ///
 /// # Errors
-/// As [`write()`].
+/// The errors of [`write()`].
 pub fn gray16(out: impl Write, pattern: &Field, dpi: Option<f64>) -> Result<(), Stopped> {
     let size = [pattern.width, pattern.height];
     write(out, Header { dpi, ..Header::new(size, Samples::Gray16) }, |rows, bytes| {

@@ -7,7 +7,7 @@ use png::{Decoder, DecodingError, Limits};
 /// The first bytes of every PNG.
 pub const SIGNATURE: [u8; 8] = *b"\x89PNG\r\n\x1a\n";
 
-/// Why the texts of a PNG cannot be read.
+/// The reason why the texts of a PNG cannot be read.
 #[derive(Debug, thiserror::Error)]
 #[error("it is not a whole PNG: {0}")]
 pub struct Damaged(String);

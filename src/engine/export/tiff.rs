@@ -18,7 +18,7 @@ const CLASSIC: u64 = (u32::MAX - (1 << 20)) as u64;
 /// Bytes of the largest strip; one row may be larger.
 const STRIP: usize = 8 << 20;
 
-/// Writes a picture as a TIFF, band by band as [`super::png::write()`] does; texts are not written.
+/// Writes a picture as a TIFF, band by band like [`super::png::write()`]; texts are not written.
 ///
 /// # Errors
 /// The errors of `out` and `fill`; a size that TIFF cannot hold.

@@ -11,28 +11,29 @@ use image::{ExtendedColorType, GenericImageView, ImageError, Rgb};
 use super::Stopped;
 use super::png::{Header, Samples};
 
-/// Rows that the JPEG encoder reads at a time: blocks of 8 × 8 px.
+/// Number of rows that the JPEG encoder reads at a time: blocks of 8 × 8 px.
 const BLOCK_ROWS: usize = 8;
-/// Rows of one band, enough for all threads.
+/// Number of rows of one band, enough for all threads.
 const BAND_ROWS: usize = 16 * BLOCK_ROWS;
 
 /// Work that cannot be interrupted.
 pub type Work = Box<dyn FnOnce() -> io::Result<Vec<u8>> + Send>;
 
-/// Does work that cannot be interrupted, while it asks again and again whether to go on: where the answer is an error, that is the
-/// outcome, and the work ends by itself. It takes a thread and a clock, which the caller has; [`at_once`] does without both.
+/// Runs work that cannot be interrupted, and meanwhile asks repeatedly whether to continue. If the answer is an error, this error
+/// is returned at once, and the work ends by itself later. Such a function needs a thread and a clock, which the caller provides;
+/// [`at_once`] needs neither.
 pub type Aside = fn(Work, &mut dyn FnMut() -> Result<(), Stopped>) -> Result<Vec<u8>, Stopped>;
 
-/// Asks once whether to go on, and does the work.
+/// Asks once whether to continue, and then runs the work.
 ///
 /// # Errors
-/// Those of the work and of the answer.
+/// The errors of the work and of the answer.
 pub fn at_once(work: Work, goes_on: &mut dyn FnMut() -> Result<(), Stopped>) -> Result<Vec<u8>, Stopped> {
     goes_on()?;
     Ok(work()?)
 }
 
-/// Writes a picture as a JPEG of `quality` 1 to 100, band by band as [`super::png::write()`] does; only [`Samples::Rgb8`].
+/// Writes a picture as a JPEG of `quality` 1 to 100, band by band like [`super::png::write()`]; only [`Samples::Rgb8`].
 ///
 /// JPEG File Interchange Format 1.02; colours at half the resolution across (4:2:2).
 ///
@@ -61,7 +62,7 @@ pub fn jpeg(
     }
 }
 
-/// A file that fails once `fill` has stopped, which ends the encoder.
+/// A file whose writes fail after `fill` has stopped, which ends the encoder.
 struct Until<'a, W> {
     out: W,
     band: &'a RefCell<Band>,
@@ -82,7 +83,7 @@ impl<W: Write> Write for Until<'_, W> {
 
 type Fill<'a> = dyn FnMut(Range<usize>, &mut [u8]) -> Result<(), Stopped> + 'a;
 
-/// The current rows, and why `fill` stopped.
+/// The current rows, and the reason why `fill` stopped.
 struct Band {
     top: usize,
     rgb: Vec<u8>,
@@ -126,7 +127,7 @@ impl GenericImageView for Bands<'_> {
 /// [`Samples::Rgba8`]. Its encoder needs the whole picture in memory, see [`super::Format::writer_bytes_per_px`]. `dpi` is not
 /// written.
 ///
-/// The encoder cannot be stopped, so it works [`Aside`]. Meanwhile `fill` is asked for no rows, where it may cancel.
+/// The encoder cannot be stopped, so it runs as [`Aside`] work. Meanwhile `fill` is called without rows, so that it can cancel.
 ///
 /// # Errors
 /// The errors of `out` and `fill`; a side of more than 16383 px.
@@ -166,7 +167,7 @@ mod tests {
     use super::*;
     use image::ImageFormat;
 
-    /// Smooth, so that JPEG changes little.
+    /// A smooth picture, which JPEG changes little.
     fn shade(x: usize, y: usize, channel: usize) -> u8 {
         (128.0 + 100.0 * ((x as f64 / 40.0 + y as f64 / 57.0 + channel as f64).sin())) as u8
     }

@@ -39,6 +39,11 @@ pub trait Domain: Sync {
     /// Degrees to add to a direction in the frame of cell `from` to give the same direction in the frame of cell `to`.
     fn turn(&self, from: usize, to: usize) -> f64;
 
+    /// Whether two cells face the same way: the cosine of the angle between their normals; 1 of a flat domain.
+    fn facing(&self, _from: usize, _to: usize) -> f64 {
+        1.0
+    }
+
     /// The cells that share a side or a corner with a cell.
     fn neighbours(&self, cell: usize) -> impl Iterator<Item = usize>;
 

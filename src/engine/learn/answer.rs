@@ -14,17 +14,17 @@ pub(super) const Z90: f64 = 1.645;
 pub struct Answer {
     /// The parameters of the simulation.
     pub parameters: Parameters,
-    /// Spacing of the spots ÷ the spacing that the system gives them by itself; 1 = its own.
+    /// Spacing of the spots ÷ the system's own spacing.
     pub pitch: f64,
-    /// The attributes that these parameters are predicted to grow; of spots always with their spacing, of lines with
-    /// their wavelength.
+    /// The attributes of the marks that these parameters are predicted to grow; spots always with their spacing, lines with their
+    /// wavelength.
     pub predicted: Attributes,
     /// The 90 % interval of each attribute, for a patch like those of the set.
     /// Angles are degrees about the predicted one and may leave 0..180.
     pub interval: Vec<(Attribute, [f64; 2])>,
     /// Whether the question lies within the range of the rows.
     pub coverage: Coverage,
-    /// The nearest question within the rows; the question itself where it is within.
+    /// The nearest question within the rows; equal to the question if that is within.
     pub nearest: Attributes,
     /// Remarks for the user.
     pub notes: Vec<Note>,
@@ -45,7 +45,7 @@ impl Lengths for Answer {
 /// The attributes that parameters are predicted to grow.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prediction {
-    /// The attributes; of spots always with their spacing.
+    /// The attributes; spots always with their spacing.
     pub attributes: Attributes,
     /// For each attribute its 90 % range, as in [`Answer::interval`].
     pub interval: Vec<(Attribute, [f64; 2])>,
@@ -59,7 +59,7 @@ impl Prediction {
     }
 }
 
-/// Why a question cannot be asked.
+/// The reason why a question cannot be asked.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum AskError {
     /// A question about stripes to a spot set, or about spots to a stripe set.

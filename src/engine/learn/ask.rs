@@ -1,4 +1,4 @@
-//! Asking a training set.
+//! Questions to a training set.
 
 use super::answer::{Answer, AskError, Prediction, checked};
 use super::training_set::{Regressions, TrainingSet};
@@ -6,11 +6,11 @@ use super::{Found, InCells, Parameters};
 use crate::attributes::Attributes;
 
 impl TrainingSet {
-    /// The parameters that give `wanted` (angles any finite degrees). What they are predicted to grow is computed
-    /// where it is asked for: [`Found::predict`].
+    /// The parameters that give `wanted` (angles any finite degrees). The predicted attributes are computed only on request:
+    /// [`Found::predict`].
     ///
-    /// A question beyond the rows is moved to the nearest place within them first, so the parameters are
-    /// always ones that grow a texture like those of the set; `coverage`, `nearest` and `notes` say so.
+    /// A question beyond the rows is first moved to the nearest place within them, so that the parameters always grow a texture
+    /// like those of the set; `coverage`, `nearest` and `notes` tell whether it was moved.
     ///
     /// # Errors
     /// [`AskError`]: attributes of the other kind, or not finite, or not positive.
@@ -30,7 +30,7 @@ impl TrainingSet {
         AskError::OtherKind { system: self.system().name, takes }
     }
 
-    /// Predicts what `parameters` grow.
+    /// Predicts the attributes that `parameters` grow.
     ///
     /// Meant for parameters like those of the rows; far from them the regression of the nearest rows is clamped.
     #[must_use]
@@ -43,7 +43,7 @@ impl TrainingSet {
 }
 
 impl Found {
-    /// The answer with what these parameters are predicted to grow; `set` is the one that was asked.
+    /// The answer with the predicted attributes; `set` is the training set that was asked.
     ///
     /// ```
     /// use dapple_engine::attributes::{Attribute, Attributes, Spots};

@@ -15,8 +15,8 @@ pub(super) const CANDIDATES: [usize; 4] = [8, 14, 25, 45];
 /// Number of rows that are left out in turn, at regular steps. Twice as many give the same choice or the next one.
 const QUESTIONS: usize = 64;
 
-/// Mean squared errors up to this multiple of the smallest count as equal; then fewer neighbours are preferred: they are
-/// closer where the map is more curved than on average, and a question takes less time.
+/// Mean squared errors up to this multiple of the smallest one count as equal. The smaller number of neighbours is then preferred:
+/// they are closer where the map is more curved than on average, and an answer takes less time.
 const NEARLY: f64 = 1.02;
 
 impl Local {
@@ -51,7 +51,7 @@ fn errors(local: &Local, counts: &[usize]) -> Vec<f64> {
         .map(|question| {
             let row = question * rows.len() / questions;
             let q = local.standardised(&rows[row].at);
-            // One search for all counts: a smaller set of neighbours is the beginning of a larger one.
+            // One search for all numbers: a smaller set of neighbours is the beginning of a larger one.
             let near = local.near(&q, *most, Some(row));
             let error = |count: &usize| {
                 let value = Line::through(local, &q, &near[..*count]).value();
@@ -61,7 +61,7 @@ fn errors(local: &Local, counts: &[usize]) -> Vec<f64> {
             counts.iter().map(error).collect()
         })
         .collect();
-    // Added up in the order of the rows, so that threads do not change the sum.
+    // Added up in the order of the rows, so that the number of threads does not change the sum.
     (0..counts.len())
         .map(|i| of_each.iter().map(|errors| errors[i]).sum::<f64>() / questions as f64)
         .collect()

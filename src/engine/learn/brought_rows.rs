@@ -1,4 +1,4 @@
-//! Training rows that are not compiled in: the program brings them all at once, in the file `all.pack` of `training/compile.rs`.
+//! Training rows that are not compiled in: the program supplies them all at once, in the file `all.pack` of `training/compile.rs`.
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -8,18 +8,18 @@ use crate::attributes::system::TrainingFile;
 /// The rows of each file, by its name.
 static BROUGHT: OnceLock<BTreeMap<String, Vec<u8>>> = OnceLock::new();
 
-/// Brings the rows of all files; only the first call counts.
+/// Supplies the rows of all files; only the first call has an effect.
 pub fn bring_rows(pack: &[u8]) {
     BROUGHT.get_or_init(|| unpacked(pack));
 }
 
-/// The rows of a file: those that are compiled in, or that were brought.
+/// The rows of a file, compiled in or supplied.
 pub(super) fn rows_of(file: &'static TrainingFile) -> &'static [u8] {
     let brought = || BROUGHT.get()?.get(file.name).map(Vec::as_slice);
     if file.rows.is_empty() { brought().unwrap_or_default() } else { file.rows }
 }
 
-/// A line `NAME BYTES` and so many bytes, for each file. What is cut off is left out.
+/// Reads, for each file, a line `NAME BYTES` and this number of bytes. Incomplete files are left out.
 fn unpacked(mut pack: &[u8]) -> BTreeMap<String, Vec<u8>> {
     let mut files = BTreeMap::new();
     while let Some(end) = pack.iter().position(|byte| *byte == b'\n') {
@@ -40,7 +40,7 @@ mod tests {
     use super::*;
     use crate::learn::laws::{MEINHARDT, TURING};
 
-    /// What the build script has packed.
+    /// The file that the build script has packed.
     const PACK: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/all.pack"));
 
     #[test]
@@ -52,7 +52,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pack_that_is_cut_off_holds_what_is_whole() {
+    fn a_truncated_pack_holds_its_complete_files() {
         let files = unpacked(b"a 2\nxyb 9\nxy");
         assert_eq!(files.into_iter().collect::<Vec<_>>(), [("a".to_owned(), b"xy".to_vec())]);
         assert!(unpacked(b"a b\nxy").is_empty() && unpacked(b"").is_empty());

@@ -10,7 +10,7 @@ use crate::attributes::system::Description;
 /// Bytes of a number.
 const NUMBER: usize = size_of::<f64>();
 
-/// Reads and checks the rows of `file` (a name for messages): those of the CSV that it was made from.
+/// Reads and checks the rows of `file` (a name for messages), which equal those of the CSV that it was made from.
 pub(super) fn compiled_rows(
     system: &Description,
     file: &str,
@@ -19,7 +19,7 @@ pub(super) fn compiled_rows(
     compiled_values(system, file, bytes, |seed, values| row(system, seed, values))
 }
 
-/// What `take` makes of each seed and the numbers after it, in the order of the columns of `system`.
+/// Converts each seed and the numbers after it, in the order of the columns of `system`, by `take`.
 pub(super) fn compiled_values<T>(
     system: &Description,
     file: &str,
@@ -67,7 +67,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_compiled_in_are_the_rows_of_the_files() {
+    fn the_compiled_rows_are_those_of_the_files() {
         let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../training");
         for system in SYSTEMS {
             assert!(!system.training.is_empty());
@@ -80,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn a_damaged_set_is_told_with_its_place() {
+    fn a_damaged_set_is_reported_with_its_place() {
         let [system, ..] = SYSTEMS;
         let whole = system.training[0].rows;
         let message = |bytes: &[u8]| compiled_rows(system, "x", bytes).unwrap_err().to_string();
@@ -88,7 +88,7 @@ mod tests {
         assert!(message(b"seed,area\n").contains("missing"));
         assert!(message(b"").contains("no header"));
         let mut other = whole.to_vec();
-        // The last number but one of the last row is no length any more.
+        // The last number but one of the last row becomes an invalid length.
         let at = other.len() - 2 * NUMBER;
         other[at..at + NUMBER].copy_from_slice(&f64::NAN.to_le_bytes());
         assert!(message(&other).contains("NaN"), "{}", message(&other));

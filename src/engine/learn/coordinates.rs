@@ -1,7 +1,7 @@
 //! Attributes and parameters ↔ the coordinates in which the map between them is almost linear.
 //!
-//! The laws of scale are factored out (rate·A and A/L² hardly vary), so that the quantities to learn vary little, also
-//! beyond the range of the rows.
+//! The laws of scale are factored out (rate·A and A/L² hardly vary), so that the quantities to learn vary little, even beyond the
+//! range of the rows.
 
 use super::Parameters;
 use crate::attributes::{Spots, Stripes};
@@ -69,7 +69,8 @@ pub(super) fn spot_features(p: &Parameters, ratio: bool, level: bool) -> SmallVe
     features
 }
 
-/// The features of parameters of spots for outputs that a mirror does not change: (ln rate, ln ratio, level, |w|, |w| cos 4φ).
+/// The features of parameters of spots for outputs that a mirror image does not change: (ln rate, ln ratio, level, |w|, |w| cos
+/// 4φ).
 ///
 /// As a function of w such an output has a kink at 0 (aspect ≈ e^−|w|), which a local line would smooth; as a function of
 /// |w| it has none. cos 4φ is the influence of the grid's axes. Where w = 0, v has a random direction, so the mean of v is
@@ -83,7 +84,7 @@ pub(super) fn spot_features_even(p: &Parameters, ratio: bool, level: bool) -> Sm
     features
 }
 
-/// The outputs for these that a mirror does not change: (ln(rate·A), ln(rate·L²), −ln(aspect)).
+/// The corresponding outputs that a mirror image does not change: (ln(rate·A), ln(rate·L²), −ln(aspect)).
 pub(super) fn spot_outcomes_even(spots: &Spots, p: &Parameters) -> SmallVector {
     let rate = libm::log(p.rate);
     let log_spacing = libm::log(spots.spacing.unwrap_or(1.0));
@@ -92,7 +93,7 @@ pub(super) fn spot_outcomes_even(spots: &Spots, p: &Parameters) -> SmallVector {
 
 /// The features of a question about stripes: (ln W, ln(W/λ) where `duty`, cos 4θ, sin 4θ).
 ///
-/// The fourth harmonic: a grid looks the same after a quarter turn.
+/// The fourth harmonic is used because a grid does not change under a rotation by 90°.
 pub(super) fn stripe_question(log_width: f64, duty: Option<f64>, angle: f64) -> SmallVector {
     SmallVector::new(std::iter::once(log_width).chain(duty).chain(harmonic(angle, 4.0)))
 }
@@ -128,7 +129,7 @@ pub(super) fn stripe_features(p: &Parameters, stretch: bool) -> SmallVector {
     features
 }
 
-/// The outputs for these: (ln(rate·W²), ln(rate·λ²) where it is free, cos 2Δ, sin 2Δ).
+/// The corresponding outputs: (ln(rate·W²), ln(rate·λ²) where it is free, cos 2Δ, sin 2Δ).
 pub(super) fn stripe_outcomes(stripes: &Stripes, p: &Parameters) -> SmallVector {
     let rate = libm::log(p.rate);
     let mut seen = SmallVector::new([rate + 2.0 * libm::log(stripes.width)]);

@@ -10,9 +10,9 @@ use crate::learn::small_vector::SmallVector;
 pub enum Coverage {
     /// Within the rows.
     Inside,
-    /// Just beyond them: good to a few per cent.
+    /// Just beyond them: accurate to a few per cent.
     Edge,
-    /// Beyond them; the answer is that to the nearest question within.
+    /// Beyond them; the answer is the one to the nearest question within.
     Outside,
 }
 
@@ -31,10 +31,11 @@ impl std::fmt::Display for Coverage {
 const SLACK: f64 = 0.015;
 /// Up to this much beyond a limit a question counts as at the edge: ln units, 5 %, an acceptable error.
 const MARGIN: f64 = 0.05;
-/// The largest one-sidedness ([`Line::one_sided`](crate::learn::weighted_line::Line::one_sided)) of the rows around a question inside. When rows are left out and predicted from the others,
-/// 97 % are below this and those above are in corners; a tenth of the set's width beyond a face it is 15 to 40.
+/// The largest one-sidedness ([`Line::one_sided`](crate::learn::weighted_line::Line::one_sided)) of the rows around a question
+/// inside. When rows are left out and predicted from the others, 97 % are below this and those above are in corners; a tenth of the
+/// set's width beyond a face it is 15 to 40.
 const INSIDE: f64 = 10.0;
-/// The usual √(one-sidedness − 1) of the rows around a row.
+/// The usual √(one-sidedness − 1) at the place of a row.
 const OF_A_ROW: f64 = 1.5;
 /// The largest one-sidedness at the edge.
 const EDGE: f64 = 20.0;
@@ -86,7 +87,7 @@ impl Judgement {
         coverage != Coverage::Inside
     }
 
-    /// Clamps `value` to `limit`, with a note where it was outside.
+    /// Clamps `value` to `limit`, with a note if it was outside.
     pub fn clamp(&mut self, limit: &Limit, value: f64) -> f64 {
         let [low, high] = limit.span;
         let within = value.clamp(low, high);
@@ -115,8 +116,8 @@ impl Judgement {
         let between = |share: f64| {
             SmallVector::new(row.at.iter().zip(question.iter()).map(|(x, q)| x + (q - x) * share))
         };
-        // The distance of the question from its neighbours' mean ÷ their spread is √(one-sidedness − 1), which grows
-        // almost linearly along the way: three steps of linear interpolation find where it reaches the limit.
+        // The distance of the question from its neighbours' mean ÷ their spread is √(one-sidedness − 1). It increases almost
+        // linearly along the line, so that three steps of linear interpolation find where it reaches the limit.
         let off = |one_sided: f64| (one_sided - 1.0).max(0.0).sqrt() - (INSIDE - 1.0_f64).sqrt();
         let (mut inside, mut outside) = ((0.0, OF_A_ROW - (INSIDE - 1.0_f64).sqrt()), (1.0, off(one_sided)));
         let mut reached = None;

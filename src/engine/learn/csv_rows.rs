@@ -10,7 +10,7 @@ use crate::attributes::system::{Description, MarkKind};
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::marks::axial;
 
-/// The number that a row has for a column; `None` where it has none.
+/// The number of a row for a column; `None` if it has none.
 fn number(kind: ColumnKind, row: &Row) -> Option<f64> {
     let p = &row.parameters;
     let (spots, stripes) = match &row.attributes.0 {
@@ -35,7 +35,7 @@ fn number(kind: ColumnKind, row: &Row) -> Option<f64> {
     }
 }
 
-/// The numbers of a row in the order of the columns of `system`; `None` where the row is not of this system.
+/// The numbers of a row in the order of the columns of `system`; `None` if the row does not belong to this system.
 fn numbers(system: &Description, row: &Row) -> Option<Vec<f64>> {
     system.columns.iter().map(|column| number(column.kind, row)).collect()
 }
@@ -129,8 +129,8 @@ pub(super) fn read_rows(system: &Description, file: &str, bytes: &[u8]) -> Resul
     read_values(system, file, bytes, |seed, values| row(system, seed, values))
 }
 
-/// Reads and checks a table with the columns of `system`: what `take` makes of each seed and the numbers after it, in the order of the
-/// columns. `file` is its name in messages.
+/// Reads and checks a table with the columns of `system`: converts each seed and the numbers after it, in the order of the columns,
+/// by `take`. `file` is its name in messages.
 pub(super) fn read_values<T>(
     system: &Description,
     file: &str,

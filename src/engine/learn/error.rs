@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-/// Why a training set could not be read or written.
+/// The reason why a training set could not be read or written.
 #[derive(Debug, thiserror::Error)]
 pub enum TrainingError {
     /// A file or folder could not be opened.

@@ -1,11 +1,11 @@
-//! A folder of training sets, which whoever has files reads.
+//! A folder of training sets; the caller implements the access to files.
 
 use std::io;
 use std::path::Path;
 
 /// A folder of training sets.
 pub trait Folder: Send + Sync {
-    /// What messages call it: its path.
+    /// Its name in messages: its path.
     fn path(&self) -> &Path;
 
     /// The names of its files, in any order.
@@ -14,7 +14,7 @@ pub trait Folder: Send + Sync {
     /// It cannot be read.
     fn names(&self) -> io::Result<Vec<String>>;
 
-    /// The bytes of one of its files; `None` where there is none of this name.
+    /// The bytes of one of its files; `None` if there is none of this name.
     ///
     /// # Errors
     /// It cannot be read.

@@ -36,7 +36,7 @@ fn files_of(
     Ok(names)
 }
 
-/// The rows of `system` in `folder`, as `read` takes them from a file's name and bytes, and the names of the files; see
+/// The rows of `system` in `folder`, which `read` converts from a file's name and bytes, and the names of the files; see
 /// [`super::TrainingSet::load`].
 pub(super) fn rows_of_folder<T>(
     folder: &dyn Folder,

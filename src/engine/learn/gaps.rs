@@ -1,4 +1,4 @@
-//! Answers about lines, expressed for the stripes that are the gaps between them.
+//! Answers about lines, converted to the stripes that are the gaps between them.
 
 use super::note::Quantity;
 use super::stripe_regression::DUTY_LIMITS;
@@ -16,7 +16,7 @@ impl Answer {
         };
         let stripes = lines.gaps();
         if let Some((_, [low, high])) = self.interval.iter_mut().find(|(of, _)| *of == Attribute::Width) {
-            // At one period, gaps are narrower by as much as lines are wider.
+            // With an equal period, gaps are narrower by as much as lines are wider.
             [*low, *high] = [*high, *low].map(|end| (stripes.width + lines.width - end).max(0.0));
         }
         let notes = of_gaps(self.notes);
@@ -25,7 +25,7 @@ impl Answer {
     }
 }
 
-/// Notes about lines, told of the stripes between them.
+/// Notes about lines, converted to the stripes between them.
 #[must_use]
 pub fn of_gaps(notes: Vec<Note>) -> Vec<Note> {
     notes.into_iter().map(note_of_gaps).collect()
@@ -100,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn a_duty_that_is_not_reached_is_told_of_the_stripes() {
+    fn a_note_on_a_duty_that_is_not_reached_is_about_the_stripes() {
         let (_, answer) = asked(0.95);
         assert_eq!(answer.coverage, Coverage::Outside);
         let note =

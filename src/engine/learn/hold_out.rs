@@ -7,21 +7,21 @@ use crate::learn::Row;
 pub struct Fold {
     /// To learn from.
     pub rows: Vec<Row>,
-    /// Whether these are all rows that are not held out.
+    /// Whether these are all rows except those held out.
     pub all: bool,
-    /// The rows to predict; the same in every fold.
+    /// The rows to predict, equal in all folds.
     pub questions: Vec<Row>,
 }
 
-/// `count` of `rows`, or all if there are fewer, at even steps, so that each part of a sweep is represented.
+/// `count` of `rows` at even steps, so that each part of a sweep is represented; all if there are fewer.
 #[must_use]
 pub fn evenly(rows: &[Row], count: usize) -> Vec<Row> {
     let count = count.min(rows.len());
     (0..count).map(|i| rows[i * rows.len() / count]).collect()
 }
 
-/// One split for each of `sizes` that is smaller than the number of rows to learn from, and one with all of these. A fifth
-/// of `rows`, at most `questions`, is held out. Rows are taken at even steps.
+/// One split for each of `sizes` that is smaller than the number of rows to learn from, and one with all of these. A fifth of
+/// `rows`, but at most `questions`, is held out. Rows are taken at even steps.
 #[must_use]
 pub fn folds(rows: &[Row], sizes: &[usize], questions: usize) -> Vec<Fold> {
     let count = questions.min(rows.len() / 5).max(1);

@@ -1,11 +1,11 @@
-//! Values in cells, apart from values in px.
+//! A type for values in cells, as opposed to values in px.
 //!
 //! Training rows are measured on simulation grids, in cells; documents are drawn in px. A value in cells is an [`InCells`], so that
 //! the compiler refuses one where the other is meant.
 
 use crate::attributes::{Attribute, Attributes};
 
-/// A value whose lengths are cells of a simulation grid. The same type without it has lengths in px.
+/// A value whose lengths are cells of a simulation grid. Without this wrapper, lengths are px.
 ///
 /// ```
 /// use dapple_engine::attributes::{Attributes, Stripes};

@@ -1,8 +1,8 @@
 //! Isolated spots: farther apart than the natural spacing of their system.
 //!
-//! If the ground of a system is inert, spots appear only at initial marks, and a spot without neighbours has the same shape
-//! at any spacing: a law replaces the rows. A tensor of determinant 1 only stretches the spot: aspect = stretch, angle =
-//! direction. At the ratio of [`IsolatedSpots`]
+//! If the ground of a system is inert, spots appear only at initial marks, and a spot without neighbours has one shape at any
+//! spacing: a law replaces the rows. A tensor of determinant 1 only stretches the spot: aspect = stretch, angle = direction. At the
+//! ratio of [`IsolatedSpots`]
 //!
 //! ```text
 //! A·rate = K · (ln l ÷ ln ½)^k · (1 − c·exp(−a·q − b·q²))     q = p − 1     p = L·√rate ÷ (S · (d₁ + d₂ · ln² stretch))
@@ -32,7 +32,7 @@ fn rate_and_pitch(law: &IsolatedSpots, spots: &Spots, spacing: f64, level: f64) 
         let q = (pitch - 1.0).max(0.0);
         area * (1.0 - c * libm::exp(-a * q - b * q * q)) / spots.area
     };
-    // Starts from spots without neighbours; these shrink the area, and so the distance in pitches.
+    // The iteration starts from spots without neighbours. Neighbours reduce the area, and so the distance in pitches.
     let mut found = rate(f64::INFINITY);
     for _ in 0..16 {
         found = rate(pitch(found));
@@ -64,7 +64,7 @@ impl TrainingSet {
     /// share `room` of the spacing, 0..1, is available; it is 1 where the places suit the shape of the spots.
     ///
     /// # Errors
-    /// As [`Self::ask`].
+    /// Those of [`Self::ask`].
     pub fn ask_apart(&self, wanted: &InCells<Attributes>, room: f64) -> Result<Option<Found>, AskError> {
         let (Regressions::Spots(map), Attributes::Spots(spots)) = (&self.map, checked(wanted)?) else {
             return Ok(None);

@@ -193,8 +193,8 @@ pub(super) fn meinhardt(n: u64, Noise(by_area, by_spacing, by_aspect, by_angle):
         .collect()
 }
 
-/// How much larger Meinhardt spots are at this level (facts B: 1.5 at 0.35, 2.5 at 0.2).
-pub(super) fn growth_by_level(level: f64) -> f64 {
+/// Factor of the size of Meinhardt spots at this level (facts B: 1.5 at 0.35, 2.5 at 0.2).
+pub(super) fn size_by_level(level: f64) -> f64 {
     libm::exp(2.8 * (0.5 - level))
 }
 
@@ -211,8 +211,8 @@ pub(super) fn meinhardt_by_level(n: u64, noise: Noise) -> Vec<Row> {
         };
         let ratio = if level < 0.5 { 12.0 } else { old.max(12.0) };
         // The same area in cells at another ratio and level: rate and spacing follow.
-        row.parameters.rate *= old / ratio * growth_by_level(level);
-        spots.spacing = spots.spacing.map(|spacing| spacing * (ratio / old / growth_by_level(level)).sqrt());
+        row.parameters.rate *= old / ratio * size_by_level(level);
+        spots.spacing = spots.spacing.map(|spacing| spacing * (ratio / old / size_by_level(level)).sqrt());
         row.parameters.ratio = Some(ratio);
         row.parameters.level = Some(level);
     }

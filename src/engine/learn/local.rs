@@ -9,8 +9,8 @@
 //! and the answer is β₀ of the line that minimises Σ wᵢ |yᵢ − β₀ − Bᵀ(xᵢ − q)/h|² + λ|B|².
 //! (Atkeson, Moore & Schaal, Artificial Intelligence Review 11, 1997, §4–5.) How large k is: [`super::bandwidth`].
 //!
-//! A row represents its mirror images too. They are not stored: the distance of a question to a row's image is that of the
-//! question's image to the row.
+//! A row represents its mirror images, too. They are not stored: the distance of a question to the image of a row equals that of
+//! the image of the question to the row.
 
 use super::tree::{Near, Place, Tree};
 use crate::learn::small_vector::{MOST, SmallVector};
@@ -24,10 +24,10 @@ pub(super) struct Sample {
     pub gives: SmallVector,
 }
 
-/// The signs by which a double-angle vector is multiplied: those of the row itself first, then of its mirror images.
+/// The signs by which a double-angle vector is multiplied: first those of the row itself, then those of its mirror images.
 pub(super) type Images = &'static [[f64; 2]];
 
-/// No mirrors.
+/// No mirror images.
 pub(super) const AS_IT_IS: Images = &[[1.0, 1.0]];
 
 /// The known points, standardised.
@@ -100,7 +100,7 @@ impl Local {
         self.outputs
     }
 
-    /// The rows, each as it is.
+    /// The rows, without their mirror images.
     pub fn rows(&self) -> &[Sample] {
         &self.rows
     }
@@ -161,7 +161,7 @@ impl Local {
         self.tree.nearest(&images, k, without)
     }
 
-    /// The sample nearest to `q`, if there is any but those of the row `without`.
+    /// The sample nearest to `q`, ignoring those of the row `without`.
     pub fn nearest(&self, q: &SmallVector, without: Option<usize>) -> Option<Sample> {
         self.near(&self.standardised(q), 1, without).first().map(|near| self.sample(*near))
     }
@@ -243,7 +243,7 @@ mod tests {
             .collect()
     }
 
-    /// With 12 neighbours a feature.
+    /// A model with 12 neighbours per feature.
     fn twelve(rows: Vec<Sample>) -> Local {
         Local::with_neighbours(rows, AS_IT_IS, 36)
     }
@@ -350,7 +350,7 @@ mod tests {
             let local = Local::with_neighbours(rows, images, k);
             let q = local.standardised(&SmallVector::new(q.into_iter().take(dims)));
             prop_assert_eq!(local.near(&q, k, without), local.nearest_by_full_search(&q, k, without));
-            // At a row itself there are ties.
+            // At the place of a row there are ties.
             if !local.known.is_empty() {
                 let [q, _] = local.known[k % local.known.len()];
                 prop_assert_eq!(local.near(&q, k, without), local.nearest_by_full_search(&q, k, without));

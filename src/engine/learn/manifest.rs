@@ -19,7 +19,7 @@ pub(super) struct Manifest {
 }
 
 impl Manifest {
-    /// The manifest of the rows `csv` in `folder`; `None` where there is none.
+    /// The manifest of the rows `csv` in `folder`; `None` if there is none.
     ///
     /// # Errors
     /// It is damaged, of another kind, or of a version that is not supported.

@@ -35,7 +35,7 @@ impl TrainingSet {
     /// The parameters that `method` gives for `wanted` (angles any finite degrees).
     ///
     /// # Errors
-    /// As [`Self::ask`].
+    /// Those of [`Self::ask`].
     pub fn by(&self, method: Method, wanted: &InCells<Attributes>) -> Result<Parameters, AskError> {
         let wanted = checked(wanted)?;
         match (method, &self.map, &wanted) {
@@ -51,7 +51,7 @@ impl TrainingSet {
             (Method::NearestNeighbour, Regressions::Stripes(map), Attributes::Stripes(stripes)) => {
                 Ok(map.nearest(stripes))
             }
-            // It refuses attributes of the other kind, too.
+            // This call refuses attributes of the other kind, too.
             _ => Ok(self.ask(&InCells(wanted))?.parameters),
         }
     }

@@ -12,7 +12,7 @@ use crate::marks::axial;
 pub struct Neighbour {
     /// Its number among the rows.
     pub row: usize,
-    /// What was measured there.
+    /// The attributes that were measured.
     pub attributes: InCells<Attributes>,
     /// The parameters that were set.
     pub parameters: Parameters,
@@ -48,7 +48,7 @@ impl TrainingSet {
                     spots.angle = mirrored(spots.angle, signs);
                     parameters.direction = mirrored(parameters.direction, signs);
                 }
-                // The mirror of stripes turns 4θ and 2Δ alike: it is the one at −θ.
+                // A mirror image of stripes reverses 4θ and 2Δ together: it is the one at −θ.
                 Attributes::Stripes(stripes) if signs[1] < 0.0 => {
                     stripes.angle = axial(-stripes.angle);
                     parameters.direction = axial(-parameters.direction);

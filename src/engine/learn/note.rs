@@ -19,7 +19,7 @@ impl Quantity {
         Self { attribute, value }
     }
 
-    /// The number with its unit, where those of lengths and areas are `units`.
+    /// The number with its unit; `units` are those of lengths and areas.
     fn number(&self, units: Units) -> String {
         let unit = match self.attribute.unit() {
             Unit::Share => "",
@@ -45,27 +45,27 @@ impl Lengths for Quantity {
 /// A note about an answer; `Display` is the sentence. Its lengths are px.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Note {
-    /// An attribute lies beyond what the system grows.
+    /// An attribute is outside the range that the system grows.
     Beyond {
-        /// What was asked.
+        /// The attribute that was asked for.
         asked: Quantity,
-        /// What is grown instead.
+        /// The attribute that is grown instead.
         reached: Quantity,
-        /// What is wrong with it, and the limit, such as "too small: the smallest possible is".
+        /// The kind of excess, with the limit, such as "too small: the smallest possible is".
         called: &'static str,
     },
-    /// Each attribute is reached, but not all at once.
+    /// Each attribute can be reached, but not all together.
     Together {
-        /// What was asked.
+        /// The attributes that were asked for.
         asked: Vec<Quantity>,
-        /// What is grown instead.
+        /// The attributes that are grown instead.
         reached: Vec<Quantity>,
     },
     /// The spacing was left free: area ÷ spacing² that is used.
     FreeSpacing(f64),
     /// Spots are placed farther apart than the natural spacing of their system.
     Apart {
-        /// Area ÷ spacing² that was asked, and will grow.
+        /// Area ÷ spacing² that was asked for, and will be grown.
         asked: Quantity,
         /// The lowest natural density of the system.
         sparsest: Quantity,
@@ -75,13 +75,13 @@ pub enum Note {
 }
 
 impl Note {
-    /// Whether something cannot be reached.
+    /// Whether an attribute cannot be reached.
     #[must_use]
     pub fn is_beyond(&self) -> bool {
         matches!(self, Self::Beyond { .. } | Self::Together { .. })
     }
 
-    /// The sentence, where the units of lengths and areas are `units`.
+    /// The sentence; `units` are those of lengths and areas.
     fn write(&self, f: &mut fmt::Formatter<'_>, units: Units) -> fmt::Result {
         let named = |quantity: &Quantity| format!("{} {}", quantity.attribute, quantity.number(units));
         let listed = |list: &[Quantity]| list.iter().map(named).collect::<Vec<_>>().join(", ");

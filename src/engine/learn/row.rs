@@ -3,7 +3,7 @@
 use super::InCells;
 use crate::attributes::Attributes;
 
-/// Fewer rows do not determine a line in five dimensions and the scatter about it.
+/// Fewer rows do not determine a line in five dimensions and the scatter around it.
 pub(super) const FEWEST_ROWS: usize = 30;
 
 /// Parameters of a simulation, in units of its grid.
@@ -11,7 +11,7 @@ pub(super) const FEWEST_ROWS: usize = 30;
 pub struct Parameters {
     /// Reaction rate ÷ √(Da·Db), 1/cell² (stripes: rate in the same units, 1/cell²).
     pub rate: f64,
-    /// Db/Da, the reach of the inhibitor against that of the activator; `None` for stripes.
+    /// Db/Da, the ratio of the ranges of inhibitor and activator; `None` for stripes.
     pub ratio: Option<f64>,
     /// Minor ÷ major axis of the diffusion tensor, √(l₂/l₁), 0..1 (1 = isotropic).
     pub stretch: f64,
@@ -43,11 +43,11 @@ impl Parameters {
 pub struct Row {
     /// The seed of the run.
     pub seed: u64,
-    /// How much was measured: spots, or (stripes) wavelengths across the patch.
+    /// Size of the patch: number of spots, or for stripes the number of wavelengths across it.
     pub extent: f64,
-    /// How even it is: the coefficient of variation of the spots' areas, or the stripes' coherence.
+    /// Evenness of the patch: coefficient of variation of the spots' areas, or coherence of the stripes.
     pub evenness: f64,
-    /// What was measured; of spots always with their spacing.
+    /// The measured attributes; spots always with their spacing.
     pub attributes: InCells<Attributes>,
     /// The parameters that were set.
     pub parameters: Parameters,

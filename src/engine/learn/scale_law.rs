@@ -6,10 +6,10 @@
 //! lines    W/λ = C / R                      rate·W² = K / R^P      stretch = that of the rows     φ = θ
 //! ```
 //!
-//! A area, L spacing, W width, λ wavelength, R ratio, l level, φ direction, θ angle. `facts.md` A (area = K·g/ka), B (both tables fall
-//! as 1/R within 7 % from 12 to 60, areas grow as e^(2.85 (½ − l)) from level ½ to 0.2), C (wavelength ∝ √D). A density is
-//! reached by the ratio as far as the rows' lowest ratio goes, beyond it by the level. C and K are the rows' means.
-//! `rd::meinhardt_lines`: lines of ratio R are R^−0.37 as wide and stand R^0.55 as far apart.
+//! A area, L spacing, W width, λ wavelength, R ratio, l level, φ direction, θ angle. `facts.md` A (area = K·g/ka), B (both tables
+//! are proportional to 1/R within 7 % from 12 to 60, and areas to e^(2.85 (½ − l)) from level ½ to 0.2), C (wavelength ∝ √D). A
+//! density is reached by the ratio down to the rows' lowest ratio, beyond it by the level. C and K are the rows' means.
+//! `rd::meinhardt_lines`: the width of lines is proportional to R^−0.37, their distance to R^0.55.
 
 use super::{Parameters, Row};
 use crate::attributes::system::Scaling;
@@ -26,7 +26,7 @@ pub(super) struct Law {
     density: f64,
     /// Whether stripes have a ratio.
     lines: bool,
-    /// The lowest ratio of the rows; R is 1 where none have any.
+    /// The lowest ratio of the rows; R is 1 if they have none.
     ratio: f64,
     /// The levels of the rows.
     levels: Option<Levels>,
@@ -78,11 +78,11 @@ impl Law {
         Self { scaling, size, density, lines, ratio: if lines { ratio } else { 1.0 }, levels, stretch }
     }
 
-    /// Parameters for spots whose ln(A/L²) is `density`; `None` where the system gives it by itself.
+    /// Parameters for spots whose ln(A/L²) is `density`; `None` if the system determines it.
     pub fn spots(&self, density: Option<f64>, spots: &Spots) -> Parameters {
         let lowest = libm::log(self.ratio);
         let ratio = density.map_or(lowest, |density| (self.density - density).max(lowest));
-        // The part that the lowest ratio does not reach.
+        // The part of the density that the lowest ratio does not reach.
         let missing = density.map_or(0.0, |density| density - (self.density - ratio)).max(0.0);
         let level = self.levels.map(|of| (of.high - missing / self.scaling.level).max(of.low));
         let lowered =
@@ -112,7 +112,7 @@ impl Law {
 
 #[cfg(test)]
 mod tests {
-    use super::super::laws::{EXACT, MEINHARDT, STRIPES, growth_by_level, meinhardt_by_level, stripes};
+    use super::super::laws::{EXACT, MEINHARDT, STRIPES, meinhardt_by_level, size_by_level, stripes};
     use super::*;
     use crate::learn::InCells;
 
@@ -129,7 +129,7 @@ mod tests {
             assert!((found.ratio.unwrap() / own.ratio.unwrap() - 1.0).abs() < 0.03);
             assert!((found.level.unwrap() - own.level.unwrap()).abs() < 0.015);
         }
-        assert!((growth_by_level(0.3) - libm::exp(0.2 * MEINHARDT.scaling.level)).abs() < 0.03);
+        assert!((size_by_level(0.3) - libm::exp(0.2 * MEINHARDT.scaling.level)).abs() < 0.03);
     }
 
     #[test]

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! A map divides its features by their standard deviations over its rows. Rows of narrow spots in the map of the others would
-//! change these, and so every answer, for the sake of spots that are seldom drawn.
+//! change these deviations, and so every answer, although narrow spots are rarely drawn.
 
 use super::answer::Prediction;
 use super::coverage::Limit;
@@ -20,22 +20,22 @@ use crate::attributes::{Attributes, Spots};
 const NARROW: f64 = 0.27;
 /// Rows of smaller stretches are not in the usual map.
 const USUAL_ROWS: f64 = 0.26;
-/// Rows of larger stretches are not in the narrow map. Those up to here have aspects beyond [`NARROW`], on either side of which
-/// there must be rows.
+/// Rows of larger stretches are not in the narrow map. Up to this value their aspects are beyond [`NARROW`]: the map needs rows on
+/// either side of that limit.
 const NARROW_ROWS: f64 = 0.4;
 
 /// The maps of a spot set.
 pub(super) struct SpotRanges {
     usual: Range,
-    /// `None` where too few rows are narrow for a map of their own: then the usual map has them all.
+    /// `None` if too few rows are narrow for a map of their own: the usual map then holds all rows.
     narrow: Option<Range>,
-    /// −ln(aspect) in either.
+    /// The limits of −ln(aspect) over both maps.
     pub elongation: Limit,
 }
 
 /// The map of some of the rows.
 struct Range {
-    /// Their numbers among all rows.
+    /// Indices of these rows among all rows.
     numbers: Vec<usize>,
     map: SpotRegression,
 }

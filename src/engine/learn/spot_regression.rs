@@ -11,7 +11,7 @@ use crate::learn::small_vector::SmallVector;
 
 /// The mirror images of a row: (cos, sin) of a double angle under θ, −θ, 90° − θ and 90° + θ.
 ///
-/// The grid looks the same under x ↔ y and under mirrors, so each row stands for four.
+/// The grid does not change under x ↔ y and under mirror images, so each row represents four.
 const IMAGES: Images = &[[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
 
 /// The map of a range of shapes of a spot set.
@@ -24,7 +24,7 @@ pub(super) struct SpotRegression {
     even: Local,
     /// Whether the ratio varies in the set.
     ratio: bool,
-    /// Whether the level does.
+    /// Whether the level varies in the set.
     level: bool,
     /// ln A.
     pub area: Limit,
@@ -32,7 +32,7 @@ pub(super) struct SpotRegression {
     pub density: Limit,
     /// −ln(aspect).
     pub elongation: Limit,
-    /// The median ln(A/L²) of the set: used where the spacing is left free.
+    /// The median ln(A/L²) of the set: used if the spacing is left free.
     median_density: f64,
 }
 
@@ -54,7 +54,7 @@ pub(super) fn elongations<'a>(spots: impl Iterator<Item = &'a Spots>) -> Limit {
     )
 }
 
-/// What is wrong with a spacing that is too large, and too small, with the limit.
+/// The kind of excess of a spacing, too large or too small, with the limit.
 const SPACINGS: [&str; 2] = [
     "too large for spots of this size: the largest distance of their centres is",
     "too small for spots of this size: the smallest distance of their centres is",
@@ -72,7 +72,7 @@ fn limits<'a>(spots: impl Iterator<Item = &'a Spots> + Clone) -> [Limit; 3] {
     [area, density, elongations(spots)]
 }
 
-/// Where the system determines the spacing: notes a difference from the one that was asked for.
+/// Notes a difference from the spacing that was asked for, if the system determines the spacing.
 fn judge_spacing(spots: &Spots, prediction: &Prediction, nearest: &mut Spots, judgement: &mut Judgement) {
     let Attributes::Spots(predicted) = prediction.attributes else { return };
     let Some(given) = predicted.spacing else { return };
@@ -183,20 +183,20 @@ impl SpotRegression {
             nearest.aspect = libm::exp(-to::length(v));
             nearest.angle = to::axis(v);
         } else if e < e_reached {
-            // Rounder than any row: the rows have all directions, so this is no extrapolation.
+            // Rounder than any row: the rows have all directions, so that this is no extrapolation.
             (at[n - 2], at[n - 1]) = (e * c, e * s);
             answered = self.asked.clamped(self.asked.line(&at, None).value());
         }
         nearest.spacing = self.dense().then(|| (nearest.area / libm::exp(at[1])).sqrt());
         let mut parameters = to::spot_parameters(at[0], &answered);
         if parameters.stretch > 1.0 - 1e-9 {
-            // Without a direction the one asked for is as good as any.
+            // Spots without a direction get the one that was asked for.
             parameters.direction = spots.angle;
         }
         (parameters, nearest, judgement)
     }
 
-    /// ln(A/L²) clamped to the range of the set; its median where the spacing is free.
+    /// ln(A/L²) clamped to the range of the set; its median if the spacing is free.
     fn clamp_density(&self, spots: &Spots, log_area: f64, judgement: &mut Judgement) -> f64 {
         if let Some((density, spacing)) = density(spots).zip(spots.spacing) {
             let within = judgement.clamp(&self.density, density);
@@ -204,7 +204,7 @@ impl SpotRegression {
                 judgement.notes.last_mut().filter(|_| within != density)
                 && asked.attribute == self.density.what
             {
-                // Told as what is drawn: the distance of the centres.
+                // Given in the form in which it is drawn: the distance of the centres.
                 *asked = Quantity::new(Attribute::Spacing, spacing);
                 *reached = Quantity::new(Attribute::Spacing, libm::exp(0.5 * (log_area - within)));
             }

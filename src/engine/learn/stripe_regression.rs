@@ -10,8 +10,8 @@ use crate::attributes::{Attribute, Attributes, Stripes};
 use crate::learn::small_vector::SmallVector;
 use crate::marks::axial;
 
-/// The mirror images of a row. The grid looks the same under x ↔ y and under mirrors, so each row represents
-/// four; in the fourth harmonic two of them are the same.
+/// The mirror images of a row. The grid does not change under x ↔ y and under mirror images, so each row represents four; in the
+/// fourth harmonic they coincide in pairs.
 const IMAGES: Images = &[[1.0, 1.0], [1.0, -1.0]];
 
 /// The limits of the duty in words.
@@ -30,11 +30,11 @@ pub(super) struct StripeRegression {
     stretch: bool,
     /// ln W.
     pub width: Limit,
-    /// ln(W/λ), where it is free; otherwise each stripe is as wide as its gap.
+    /// ln(W/λ) if it is free; otherwise each stripe is as wide as its gap.
     pub duty: Option<Limit>,
 }
 
-/// The angle at a place, of which 4θ is known: of the four possible angles the one nearest to `asked`.
+/// The angle for a place that determines only 4θ: of the four possible angles the one nearest to `asked`.
 fn quarter(asked: f64, at: &SmallVector) -> f64 {
     let n = at.len();
     let quarter = 0.5 * to::axis([at[n - 2], at[n - 1]]);

@@ -3,8 +3,9 @@
 use proptest::prelude::*;
 
 use super::laws::{
-    EXACT, LINES, MEASURED, MEINHARDT, STRIPES, TURING, area_of, growth_by_level, line_duty, lines,
-    meinhardt, meinhardt_by_level, meinhardt_density, meinhardt_law, stripe_law, stripes, turing, turing_law,
+    EXACT, LINES, MEASURED, MEINHARDT, STRIPES, TURING, area_of, line_duty, lines, meinhardt,
+    meinhardt_by_level, meinhardt_density, meinhardt_law, size_by_level, stripe_law, stripes, turing,
+    turing_law,
 };
 use super::*;
 use crate::attributes::{Attribute, Attributes, Spots, Stripes};
@@ -25,7 +26,7 @@ fn close(got: f64, wanted: f64, by: f64) {
     assert!((got / wanted - 1.0).abs() < by, "{got} is not {wanted} to {by}");
 }
 
-/// The answer of `set` to `wanted`, with what it is predicted to grow; all lengths are cells.
+/// The answer of `set` to `wanted`, with the predicted attributes; all lengths are cells.
 fn answered(set: &TrainingSet, wanted: &Attributes) -> Answer {
     set.ask(&InCells(*wanted)).expect("an answer").predict(set).0
 }
@@ -81,7 +82,7 @@ fn a_set_that_reaches_high_densities_by_the_level_is_followed_where_ratio_and_le
         let wanted = spots(60.0, 0.6, 30.0, Some((60.0 / (share * corner)).sqrt()));
         let answer = answered(&set, &wanted);
         let p = answer.parameters;
-        let (ratio, by_level) = (p.ratio.unwrap(), growth_by_level(p.level.unwrap()));
+        let (ratio, by_level) = (p.ratio.unwrap(), size_by_level(p.level.unwrap()));
         close(meinhardt_density(ratio) * by_level, share * corner, 0.04);
         close(area_of(p.rate, |area| meinhardt_law(area, ratio) * by_level), 60.0, 0.03);
         close(seen(&answer.predicted).area, 60.0, 0.02);

@@ -222,13 +222,13 @@ mod tests {
         write("turing-spots-b.csv", &rows[50..]);
         write("turing-spots.csv", &rows[..20]);
         write("turing-spots-a.csv", &rows[20..50]);
-        // Not of this set.
+        // This file does not belong to the set.
         write("turing-spots-a.rejected.csv", &rows);
         write("turing-spotted.csv", &rows);
         write("old-turing-spots.csv", &rows);
         folder.0.insert("notes.json".to_owned(), b"{}".to_vec());
         let set = TrainingSet::load(&folder, &TURING, &SYSTEMS).unwrap();
-        // '-' stands before '.'.
+        // '-' sorts before '.'.
         let seeds: Vec<u64> = set.rows().iter().map(|row| row.seed).collect();
         let expected = rows[20..].iter().chain(&rows[..20]).map(|row| row.seed);
         assert_eq!(seeds, expected.collect::<Vec<_>>());

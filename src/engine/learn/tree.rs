@@ -1,10 +1,10 @@
 //! The nearest of many points: a k-d tree (Bentley, Communications of the ACM 18(9), 1975), each node with the box
 //! of its points.
 //!
-//! The answer equals that of a search through all points, bit for bit: distances are summed in the same order, a box is
-//! skipped only if its own distance, summed likewise, is larger than that of the last neighbour, and of points at equal
-//! distance those with lower numbers are taken. Existing crates do not specify which of several points at equal distance is
-//! found, and do not support mirror images.
+//! The result equals that of a search through all points, bit for bit: distances are summed in one order, a box is skipped only if
+//! its own distance, summed likewise, is larger than that of the last neighbour, and of points at equal distance those with lower
+//! indices are taken. Existing crates do not specify which of several points at equal distance is found, and do not support mirror
+//! images.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -76,7 +76,7 @@ impl Nearest {
         Self { most, found: Vec::with_capacity(Self::held(most)), reach }
     }
 
-    /// How many are kept until the farthest are left out.
+    /// Number of samples that are kept before the farthest are removed.
     fn held(most: usize) -> usize {
         most + most / 2 + 1
     }
@@ -119,7 +119,7 @@ struct Node {
     below: Below,
 }
 
-/// What is below a node.
+/// The content of a node: two nodes, or blocks of points.
 #[derive(Clone)]
 enum Below {
     /// Two nodes: the next one and this one.
@@ -179,7 +179,7 @@ impl Node {
 
 /// A node that is still to be searched for an image of the question. The nearest is the greatest.
 ///
-/// One number, as [`Near`]: 64 bits of the squared distance, 32 of the image, 32 of the node.
+/// Stored as one number, in the form of [`Near`]: 64 bits of the squared distance, 32 of the image, 32 of the node.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 struct Waiting(Reverse<u128>);
 
@@ -211,7 +211,7 @@ impl Tree {
         tree
     }
 
-    /// Adds the node of these points, and those below it.
+    /// Adds the node of these points, and the nodes below it.
     fn split(&mut self, points: &mut [(Place, u32)]) {
         let (mut low, mut high) = ([f64::INFINITY; MOST], [f64::NEG_INFINITY; MOST]);
         for (point, _) in points.iter() {
@@ -229,7 +229,7 @@ impl Tree {
             self.nodes.push(Node { low, high, below });
             return;
         }
-        // Whole blocks: what is computed for a part of one is computed in vain.
+        // Whole blocks: computing on a part of a block takes as long as on all of it.
         let half = points.len().div_ceil(LEAF) / 2 * LEAF;
         // Ties are broken by number, so that the tree does not depend on the sorting algorithm.
         points.select_nth_unstable_by(half, |(a, i), (b, j)| a[widest].total_cmp(&b[widest]).then(i.cmp(j)));
@@ -271,7 +271,7 @@ impl Tree {
             for block in &self.blocks[blocks] {
                 let distances = squared_of_each(&block.coordinates, q);
                 for (squared, number) in distances.iter().zip(&block.numbers).take(block.points) {
-                    // Most are too far, once there are enough.
+                    // Most points are too far once there are enough.
                     if *squared <= nearest.reach && without != Some(*number) {
                         nearest.keep(*squared, *number, image);
                     }

@@ -123,7 +123,7 @@ impl Line {
         self.total * self.total / self.squares
     }
 
-    /// How one-sided the neighbours are about the question, Σkᵢ²·(Σw)²/Σw² with the line's equivalent kernel k: 1 at their
+    /// One-sidedness of the neighbours around the question: Σkᵢ²·(Σw)²/Σw² with the line's equivalent kernel k: 1 at their
     /// mean, 1 + (distance from their mean ÷ their spread)² elsewhere. About 3 on the face of a box, about 8 at the corner
     /// of four faces.
     pub fn one_sided(&self) -> f64 {
@@ -150,13 +150,13 @@ impl Line {
 }
 
 impl Local {
-    /// The line at `q`, as if the row `without` were not there.
+    /// The line at `q`, computed without the row `without`.
     pub fn line(&self, q: &SmallVector, without: Option<usize>) -> Line {
         let q = self.standardised(q);
         Line::through(self, &q, &self.near(&q, self.neighbours(), without))
     }
 
-    /// The answer at `q`, as if the row `without` were not there; within what the rows give.
+    /// The answer at `q`, computed without the row `without`; clamped to the range of the rows.
     pub fn fit(&self, q: &SmallVector, without: Option<usize>) -> Fit {
         let fit = self.line(q, without).fit();
         Fit { value: self.clamped(fit.value), ..fit }

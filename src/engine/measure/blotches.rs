@@ -1,15 +1,15 @@
-//! How wide blotches are: dots, worms and what is between.
+//! The width of blotches: dots, worms and intermediate shapes.
 
 use std::f64::consts::PI;
 
 use crate::grid::Field;
 use crate::measure::spots::{Spot, spots};
 
-/// The mean width of the regions above `level`, weighted by their areas, px; `None` where there are none.
+/// The mean width of the regions above `level`, weighted by their areas, px; `None` if there are none.
 ///
-/// The width of a region is that of the stadium (a rectangle with a half circle at each end) with its area A and contour P,
-/// w = (P − √(P² − 4πA)) ÷ π: of a disc the diameter, of a long worm 2A ÷ P. Discs come out up to 3 % too narrow, as the root makes
-/// much of a contour that is longer by a thousandth. Where a region is cut by the frame it is 2A ÷ P.
+/// The width of a region is that of the stadium (a rectangle with a half circle at each end) with its area A and contour P, w = (P
+/// − √(P² − 4πA)) ÷ π: for a disc the diameter, for a long worm 2A ÷ P. Discs come out up to 3 % too narrow, since the root is
+/// sensitive to a contour that is too long by a thousandth. For a region that is cut by the frame it is 2A ÷ P.
 #[must_use]
 pub fn blotch_width(field: &Field, level: f32) -> Option<f64> {
     let (mut sum, mut areas) = (0.0, 0.0);
@@ -26,7 +26,7 @@ fn width(spot: &Spot, area: f64) -> f64 {
     if !spot.whole {
         return 2.0 * area / contour;
     }
-    // Of a disc the root is 0; noise may make it less.
+    // For a disc the radicand is 0; noise may make it negative.
     (contour - (contour * contour - 4.0 * PI * area).max(0.0).sqrt()) / PI
 }
 
@@ -59,7 +59,7 @@ mod tests {
     }
 
     #[test]
-    fn an_empty_field_has_none() {
+    fn an_empty_field_has_no_width() {
         assert_eq!(blotch_width(&stadium(50.0, 50.0, -4.0), 0.5), None);
     }
 }

@@ -37,7 +37,7 @@ pub struct Directions {
     vectors: Vec<[f64; 2]>,
 }
 
-/// How local directions deviate from wanted ones.
+/// Deviation of local directions from wanted ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deviation {
     /// Coherence-weighted axial mean, degrees in −90..90.
@@ -109,11 +109,11 @@ impl Directions {
         })
     }
 
-    /// By region, how the directions deviate from the wanted ones; `None` in one without any direction.
-    /// `places` holds, in the order of [`Self::at_places`], the region and (cos 2θ, sin 2θ) of the direction θ wanted.
+    /// By region, the deviation of the directions from the wanted ones; `None` for a region without any direction. `places` holds,
+    /// in the order of [`Self::at_places`], the region and (cos 2θ, sin 2θ) of the wanted direction θ.
     #[must_use]
     pub fn deviations(&self, places: &[(usize, [f64; 2])], regions: usize) -> Vec<Option<Deviation>> {
-        // Of each place: the double-angle vector of its deviation, and coherence · deviation².
+        // For each place: the double-angle vector of its deviation, and coherence · deviation².
         let each: Vec<([f64; 2], f64, f64)> = self
             .vectors
             .par_iter()
@@ -156,7 +156,7 @@ impl Directions {
     }
 }
 
-/// How blocks lie along one side.
+/// The layout of blocks along one side.
 #[derive(Clone, Copy)]
 struct Blocks {
     /// Places at which J is known: in the middle of the blocks of each.
@@ -180,7 +180,7 @@ impl Blocks {
     /// before the first one of the place.
     fn weights(self, spread: f64) -> (Vec<f32>, isize) {
         let reach = (4.0 * spread).ceil() as isize;
-        // Of the first block of a place, from its middle.
+        // Position of the first block of a place, from the centre of the place.
         let first = 0.5 - 0.5 * self.each as f64;
         let bell = |k: isize| {
             let at = (k as f64 + first) / spread;
@@ -192,8 +192,8 @@ impl Blocks {
     }
 }
 
-/// Weights of a Gaussian out to four standard deviations (in cells), with the sum 1; or of its derivative, such that a
-/// ramp has its own slope.
+/// Weights of a Gaussian out to four standard deviations (in cells), with the sum 1; or of its derivative, scaled so that a ramp
+/// has its own slope.
 fn gaussian(sigma: f64, derivative: bool) -> Vec<f32> {
     let reach = (4.0 * sigma).ceil() as isize;
     let at = |i: isize| i as f64 / sigma;
@@ -259,7 +259,7 @@ fn column_sums(field: &Field, y: usize, weights: &[f32], out: &mut [f32]) {
 fn row_sums(row: &[f32], weights: &[f32], edges: Edges, out: &mut [f32]) {
     let (n, reach) = (row.len(), weights.len() / 2);
     out.fill(0.0);
-    // Away from the ends for one weight after the other: all places at once.
+    // Away from the ends all places are processed at once, one weight after the other.
     let inner = reach.min(n)..n.saturating_sub(reach).max(reach.min(n));
     // A row may be shorter than the weights: then none is away from the ends.
     if !inner.is_empty() {
@@ -274,8 +274,8 @@ fn row_sums(row: &[f32], weights: &[f32], edges: Edges, out: &mut [f32]) {
     }
 }
 
-/// What blocks hold, blurred by a Gaussian of `spread` blocks along x and y, at the places among them. Beyond a closed border they
-/// are mirrored.
+/// The values of blocks, blurred by a Gaussian of `spread` blocks along x and y, at the places among them. Beyond a closed border
+/// they are mirrored.
 fn blur(sums: &[[f64; 3]], along: [Blocks; 2], spread: [f64; 2], edges: Edges) -> Vec<[f64; 3]> {
     let [columns, rows] = along.map(Blocks::count);
     let [(across, left), (down, above)] = [0, 1].map(|axis| along[axis].weights(spread[axis]));

@@ -1,4 +1,4 @@
-//! The directions in which the edges of a picture run: of a weave, those of its threads.
+//! The directions of the edges of a picture; for a weave, those of its threads.
 //!
 //! A histogram of the directions along the edges, weighted by the squared gradient and smoothed by a Gaussian; a weave has a peak for
 //! each of its directions.
@@ -12,9 +12,9 @@ use crate::marks::{axial, turn};
 const BINS: usize = 360;
 /// Standard deviation of the smoothing, bins.
 const SIGMA: f64 = 6.0;
-/// Peaks nearer than this to a higher one are part of it, degrees: the threads of a weave are 30° apart or more.
+/// Peaks closer than this to a higher one are part of it, degrees: the threads of a weave are at least 30° apart.
 const APART: f64 = 25.0;
-/// Lowest peak ÷ the highest. Threads 45 px apart beside some 11 px apart are below 0.15.
+/// Lowest peak ÷ the highest. Threads 45 px apart next to others 11 px apart are below 0.15.
 const LOWEST: f64 = 0.05;
 /// Edges within this of a peak make up its direction, degrees.
 const WINDOW: f64 = 10.0;
@@ -55,7 +55,7 @@ fn histogram(field: &Field) -> Vec<f64> {
                     [(x as isize + dx, nx), (y as isize + dy, ny)].map(|(i, n)| field.edges.index(i, n));
                 f64::from(field.values[y * nx + x])
             };
-            // Scharr's derivative, whose directions are right within .1° at any angle.
+            // Scharr's derivative, whose directions have errors below 0.1° at any angle.
             let gx =
                 3.0 * (at(1, -1) - at(-1, -1)) + 10.0 * (at(1, 0) - at(-1, 0)) + 3.0 * (at(1, 1) - at(-1, 1));
             let gy =

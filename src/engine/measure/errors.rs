@@ -1,4 +1,4 @@
-//! Compares what has grown with what was wanted, region by region: the *error* of `docs/format.md`.
+//! Compares grown marks with the wanted ones, region by region: the *error* of `docs/format.md`.
 
 use std::sync::LazyLock;
 
@@ -14,26 +14,26 @@ use crate::attributes::{Attributes, Spots, Spread, Stripes, axial_mean};
 use crate::grid::{Bounds, Domain, Edges, Field, sin_cos_degrees};
 use crate::marks::{Ellipse, axial, turn};
 
-/// What a layer was to show: regions, and the attributes wanted at each place. Places are px.
+/// The target of a layer: regions, and the attributes wanted at each place. Places are px.
 pub struct Target<'a> {
     /// The canvas with its edges.
     pub bounds: Bounds,
     /// Its regions.
     pub regions: Regions<'a>,
-    /// Whether the marks of another layer cover a place. Spots with such a mark between them are not neighbours.
+    /// Whether the marks of another layer cover a place. Spots with such a mark between them do not count as neighbours.
     pub covered: &'a (dyn Fn([f64; 2]) -> bool + Sync),
-    /// The region map: what is wanted at a place of the canvas.
+    /// The region map: the attributes wanted at a place of the canvas.
     pub wanted: &'a (dyn Fn([f64; 2]) -> Attributes + Sync),
-    /// The surface of which the canvas is the flat map: spots are compared on it. `None` = on the canvas.
+    /// The surface of which the canvas is the flat map: spots are compared on it. `None` = compared on the canvas.
     pub surface: Option<&'a MetricField>,
 }
 
-/// How the spots of a region differ from what was wanted.
+/// Differences between the spots of a region and the wanted ones.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SpotErrors {
     /// Whole marks whose centre is in the region.
     pub marks: usize,
-    /// Means over them; `None` without any. The spacing is that of the edges that count.
+    /// Means over them; `None` without any. The spacing is that of the edges with a weight.
     pub got: Option<Spots>,
     /// Means of the region map at their centres (spacing: at the edges' midpoints).
     pub wanted: Option<Spots>,
@@ -41,17 +41,17 @@ pub struct SpotErrors {
     pub area: Option<f64>,
     /// got − wanted.
     pub aspect: Option<f64>,
-    /// Mean turn from the wanted direction, degrees in −90..90, weighted by 1 − aspect; only where the aspect
-    /// wanted is below 0.85.
+    /// Mean angle between the spots and the wanted direction, degrees in −90..90, weighted by 1 − aspect; only if the wanted aspect
+    /// is below 0.85.
     pub angle: Option<f64>,
-    /// got ÷ wanted − 1; `None` where the spacing is free or no edge counts.
+    /// got ÷ wanted − 1; `None` if the spacing is free or no edge has a weight.
     pub spacing: Option<f64>,
-    /// How much the marks vary about the region map: the spread of area ÷ wanted, aspect − wanted, the
-    /// turn from the wanted direction, edge ÷ wanted spacing.
+    /// Spread of the marks around the region map: of area ÷ wanted, of aspect − wanted, of the angle to the wanted direction, of
+    /// edge ÷ wanted spacing.
     pub spread: Option<Spread>,
 }
 
-/// How the stripes of a region differ from what was wanted.
+/// Differences between the stripes of a region and the wanted ones.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StripeErrors {
     /// Width, coherence-weighted direction and distance; `None` without stripes.
@@ -60,7 +60,7 @@ pub struct StripeErrors {
     pub wanted: Option<Stripes>,
     /// got ÷ wanted − 1.
     pub width: Option<f64>,
-    /// got ÷ wanted − 1; `None` where twice the width is wanted.
+    /// got ÷ wanted − 1; `None` if the wanted wavelength is twice the width.
     pub wavelength: Option<f64>,
     /// Coherence-weighted mean deviation of the local directions from the map, degrees in −90..90.
     pub angle: Option<f64>,
@@ -68,7 +68,7 @@ pub struct StripeErrors {
     pub angle_rms: Option<f64>,
 }
 
-/// Spots rounder than this have no direction that could be wrong.
+/// Rounder spots than this have no direction that could have an error.
 const DIRECTED: f64 = 0.85;
 
 fn mean(values: impl IntoIterator<Item = f64>) -> Option<f64> {
@@ -78,7 +78,7 @@ fn mean(values: impl IntoIterator<Item = f64>) -> Option<f64> {
 
 /// Errors of a layer's spots, by region.
 ///
-/// `spots` are all of the layer's, cut ones too: only whole ones are measured, but all are neighbours. Where
+/// `spots` are all spots of the layer, also those cut by the border: only whole ones are measured, but all are neighbours. Where
 /// the map holds no spots nothing is compared.
 #[must_use]
 pub fn spot_errors(spots: &[Spot], target: &Target) -> Vec<SpotErrors> {
@@ -94,7 +94,7 @@ pub fn spot_errors(spots: &[Spot], target: &Target) -> Vec<SpotErrors> {
     marks.iter().zip(neighbours).map(|(marks, edges)| compare(marks, &edges)).collect()
 }
 
-/// A spot and what is wanted at its centre, both on the surface where there is one.
+/// A spot and the attributes wanted at its centre, both on the surface if there is one.
 fn on_surface(spot: Ellipse, wanted: Spots, surface: Option<&MetricField>) -> (Ellipse, Spots) {
     let Some(metric) = surface.map(|surface| surface.at(spot.center)) else { return (spot, wanted) };
     let got = Spots { area: spot.area(), aspect: spot.aspect(), angle: spot.major_angle(), spacing: None };
@@ -102,7 +102,7 @@ fn on_surface(spot: Ellipse, wanted: Spots, surface: Option<&MetricField>) -> (E
     (Ellipse::from_area(spot.center, got.area, got.aspect, got.angle), wanted)
 }
 
-/// An edge that counts for the spacing of a region.
+/// An edge with a weight in the spacing of a region.
 #[derive(Clone, Copy)]
 struct Neighbours {
     length: f64,
@@ -111,8 +111,8 @@ struct Neighbours {
     wanted: Option<f64>,
 }
 
-/// By region, the edges that have a weight. Its s is the spacing wanted at the midpoint; where that is free, the median
-/// distance of the layer's spots to their nearest.
+/// By region, the edges that have a weight. The length scale s of the weights is the spacing wanted at the midpoint; if that is
+/// free, the median distance of the layer's spots to their nearest neighbours.
 fn neighbours(spots: &[Spot], target: &Target) -> Vec<Vec<Neighbours>> {
     let centers: Vec<[f64; 2]> = spots.iter().map(|spot| mirrored_center(spot, &target.bounds)).collect();
     let tile = (target.bounds.edges == Edges::Wrap).then_some(target.bounds.size);
@@ -137,8 +137,8 @@ fn neighbours(spots: &[Spot], target: &Target) -> Vec<Vec<Neighbours>> {
     found
 }
 
-/// The centre of a spot together with its mirror image beyond a closed edge that cuts it: on that edge. There is no flux
-/// through the edge, so that the pattern goes on beyond it as in a mirror.
+/// The centre of a spot together with its mirror image beyond a closed edge that cuts it; it lies on that edge. There is no flux
+/// through the edge, so that the pattern continues beyond it as in a mirror.
 fn mirrored_center(spot: &Spot, bounds: &Bounds) -> [f64; 2] {
     let center = spot.ellipse.center;
     if spot.whole || bounds.edges == Edges::Wrap {
@@ -156,8 +156,8 @@ fn mirrored_center(spot: &Spot, bounds: &Bounds) -> [f64; 2] {
     })
 }
 
-/// An edge cuts a spot whose visible part has its centre within so many of its half extents: half of an ellipse has it within
-/// 0.8, a whole one at 1.
+/// An edge cuts a spot if the centre of its visible part is within this number of its half extents: for half of an ellipse it is
+/// within 0.8, for a whole one at 1.
 const TOUCHING: f64 = 1.0;
 
 /// Rings of points in the circle between the ends of an edge that are tested for a mark of another layer.
@@ -184,8 +184,8 @@ static IN_A_CIRCLE: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| {
     (0..=RINGS).flat_map(ring).collect()
 });
 
-/// Whether any of the points in the circle about `middle`, to `half` from there, is `covered`. Spots at the ends of that diameter are no
-/// neighbours where marks of another layer lie between them.
+/// Whether any of the points in the circle about `middle`, with radius `half`, is `covered`. Spots at the ends of that diameter are
+/// no neighbours if marks of another layer lie between them.
 pub fn is_circle_covered(middle: [f64; 2], half: [f64; 2], covered: impl Fn([f64; 2]) -> bool) -> bool {
     IN_A_CIRCLE.iter().any(|[x, y]| {
         let away = [x * half[0] - y * half[1], x * half[1] + y * half[0]];
@@ -251,12 +251,12 @@ fn vary(marks: &[(Ellipse, Spots)], edges: &[Neighbours]) -> Spread {
     }
 }
 
-/// Sums of what is wanted in a region.
+/// Sums of the attributes wanted in a region.
 #[derive(Clone, Copy, Default)]
 struct Asked {
     count: f64,
     width: f64,
-    /// NaN where none is wanted.
+    /// NaN if none is wanted.
     wavelength: f64,
     double: [f64; 2],
 }
@@ -295,13 +295,13 @@ fn free(field: &Field, target: &Target) -> Vec<f64> {
     free
 }
 
-/// Errors of a layer of stripes, by region: of what is above `level` in `field`, which covers the canvas.
+/// Errors of a layer of stripes, by region. The stripes are the areas above `level` in `field`, which covers the canvas.
 #[must_use]
 pub fn stripe_errors(field: &Field, level: f32, target: &Target) -> Vec<StripeErrors> {
     stripe_errors_of(field, &tallies(field, level, target.regions), target)
 }
 
-/// Errors of a layer of stripes, by region, where the `tallies` of the regions are known.
+/// Errors of a layer of stripes, by region, from the known `tallies` of the regions.
 #[must_use]
 pub fn stripe_errors_of(field: &Field, tallies: &[Tally], target: &Target) -> Vec<StripeErrors> {
     let contour: f64 = tallies.iter().map(|tally| tally.contour).sum();
@@ -319,7 +319,7 @@ pub fn stripe_errors_of(field: &Field, tallies: &[Tally], target: &Target) -> Ve
     let angles = directions.means(&places, target.regions.count());
     let mut sums = vec![Asked::default(); target.regions.count()];
     for (quarters, (region, _, wanted)) in directions.quarters().zip(&asked) {
-        // A place on a border of regions counts for each of them with the quarters that lie in it.
+        // A place on the border between regions counts for each of them with the quarters inside.
         if quarters.iter().all(|point| target.regions.of(*point) == *region) {
             sums[*region].add(wanted, 1.0);
         } else {
@@ -334,7 +334,7 @@ pub fn stripe_errors_of(field: &Field, tallies: &[Tally], target: &Target) -> Ve
         let angle = angles[k];
         let width = tallies[k].width();
         let wanted = wanted[k];
-        // Only where a wavelength is wanted; elsewhere it is twice the width.
+        // Only if a wavelength is wanted; otherwise it is twice the width.
         let asked = wanted.and_then(|wanted| wanted.wavelength);
         let wavelength =
             asked.filter(|_| tallies[k].contour > 0.0).map(|_| 2.0 * free[k] / tallies[k].contour);

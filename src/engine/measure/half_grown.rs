@@ -1,27 +1,28 @@
-//! Marks that have grown by half: a pattern that is neither ground nor mark.
+//! Half-grown marks: pattern values that are neither ground nor mark.
 //!
-//! The pattern is 0 on the ground, ½ at the edge of a mark and 1 in its middle. Where a stripe ends, its axis passes through all values
-//! within about two widths; where it stays between, the stripe is not there yet, and on a picture it is a gray smear. A spot whose
-//! highest value is too low is the same.
+//! The pattern is 0 on the ground, ½ at the edge of a mark and 1 in its middle. Where a stripe ends, its axis passes through all
+//! values within about two widths. Where the axis stays between ground and mark for longer, the stripe has not formed, and appears
+//! as a gray area in a picture. The same holds for a spot whose highest value is too low.
 
 use rayon::prelude::*;
 
 use crate::grid::{Edges, Field};
 use crate::measure::Spot;
 
-/// The pattern at the axis of a mark is above the first of these on the ground, and above the second in a mark that is there.
+/// On the ground the pattern at the axis of a mark is below the first of these values; in a mark that has formed it is above the
+/// second.
 const BETWEEN: [f32; 2] = [0.2, 0.8];
-/// The axis is higher than the places beside it by this at least. Not tuned.
+/// Least difference between the axis and the places beside it. Not tuned.
 const HIGHER: f32 = 0.05;
-/// How far beside it, widths: within half a width the stripe goes on. At a quarter stripes that are half as high as others were not told from
-/// flat ground where their axis lies between two cells.
+/// Distance of these places from the axis, in widths: the stripe extends to half a width. At a quarter, stripes of half the height
+/// could not be distinguished from flat ground if their axis lay between two cells.
 const BESIDE: f64 = 0.35;
-/// At the tip of a stripe the axis passes from above the second of these to below the first: the piece begins near one end of
-/// [`BETWEEN`] and ends near the other. Not tuned.
+/// At the tip of a stripe the axis passes from above the second of these values to below the first: the piece begins near one end
+/// of [`BETWEEN`] and ends near the other. Not tuned.
 const TIP: [f32; 2] = [0.35, 0.65];
-/// It does so within so many widths: in the examples of stripes and lines within 1.0 to 1.7.
+/// Largest length of a tip, in widths: in the examples of stripes and lines it is 1.0 to 1.7.
 const TAPER: f64 = 2.0;
-/// A spot whose area is a smaller share of what is asked has grown by half.
+/// A spot with a smaller share of the asked area than this is half grown.
 const SMALLEST: f64 = 0.5;
 
 /// A piece of the axis of a stripe that is neither ground nor mark.
@@ -29,12 +30,12 @@ const SMALLEST: f64 = 0.5;
 pub struct FadedAxis {
     /// A place in its middle, px.
     pub at: [f64; 2],
-    /// From end to end, px.
+    /// Length from end to end, px.
     pub length: f64,
 }
 
-/// The pieces of stripes whose axis stays between ground and mark for longer than its width; for longer than twice that where it is the
-/// tip of a stripe. `width` is that of the stripes wanted at a place, px; `None` where none are.
+/// The pieces of stripes whose axis stays between ground and mark over more than the width of the stripe, or over more than twice
+/// the width at the tip of a stripe. `width` gives the width of the stripes wanted at a place, px; `None` where none are wanted.
 #[must_use]
 pub fn faded_axes(pattern: &Field, width: &(dyn Fn([f64; 2]) -> Option<f64> + Sync)) -> Vec<FadedAxis> {
     let cells = pattern.width * pattern.height;
@@ -53,7 +54,7 @@ pub fn faded_axes(pattern: &Field, width: &(dyn Fn([f64; 2]) -> Option<f64> + Sy
     found
 }
 
-/// A piece of an axis that is longer than it may be; `None` of others. Its cells are columns and rows.
+/// A piece of an axis that is longer than allowed; `None` for other pieces. Its cells are columns and rows.
 fn faded(pattern: &Field, piece: &[[i64; 2]], width: &dyn Fn([f64; 2]) -> Option<f64>) -> Option<FadedAxis> {
     let cell_of = |[x, y]: [i64; 2]| {
         let (column, row) = (x.rem_euclid(pattern.width as i64), y.rem_euclid(pattern.height as i64));
@@ -109,7 +110,7 @@ fn is_on_axis(pattern: &Field, cell: usize, width: &dyn Fn() -> Option<f64>) -> 
         let column = pattern.edges.index(x as isize + dx, pattern.width);
         pattern.values[pattern.edges.index(y as isize + dy, pattern.height) * pattern.width + column]
     };
-    // The direction across is that of the most negative curvature.
+    // The direction of the most negative curvature is the one across the stripe.
     let xx = near(1, 0) - 2.0 * value + near(-1, 0);
     let yy = near(0, 1) - 2.0 * value + near(0, -1);
     let xy = 0.25 * (near(1, 1) - near(-1, 1) - near(1, -1) + near(-1, -1));
@@ -149,7 +150,7 @@ fn between(field: &Field, at: [f64; 2]) -> f32 {
     row(0) + share[1] * (row(1) - row(0))
 }
 
-/// The cells joined to `start` by sides or corners, as columns and rows that go on beyond a border that wraps.
+/// The cells connected to `start` by sides or corners, as columns and rows that continue beyond a border that wraps.
 fn piece_from(pattern: &Field, start: usize, on_axis: &[bool], seen: &mut [bool]) -> Vec<[i64; 2]> {
     let [nx, ny] = [pattern.width as i64, pattern.height as i64];
     seen[start] = true;
@@ -177,7 +178,7 @@ fn piece_from(pattern: &Field, start: usize, on_axis: &[bool], seen: &mut [bool]
 mod tests {
     use super::*;
 
-    /// Stripes along x, 20 px apart and 10 px wide, of which the one at y = 30 is only `height` high for x from 40 to 40 + `length`.
+    /// Stripes along x, 20 px apart and 10 px wide. The one at y = 30 has only the height `height` for x from 40 to 40 + `length`.
     fn stripes(height: f32, length: f64, edges: Edges) -> Field {
         Field::from_fn([120, 60], [1.0, 1.0], edges, |[x, y]| {
             let wave = (0.5 - 0.5 * libm::cos(std::f64::consts::TAU * y / 20.0)) as f32;
@@ -196,7 +197,7 @@ mod tests {
         };
         assert!((x - 55.0).abs() < 16.0 && (y - 30.0).abs() < 2.0, "{x} {y}");
         assert!((length - 30.0).abs() < 3.0, "{length}");
-        // What is lower is ground, and what is higher a mark.
+        // Lower values are ground, and higher ones a mark.
         assert!(found(0.1, 30.0).is_empty() && found(0.9, 30.0).is_empty());
     }
 

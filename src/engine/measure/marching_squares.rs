@@ -26,7 +26,7 @@ pub(super) fn parts(at: [f64; 2], [w, h]: [f64; 2], v: [f64; 4], mut part: impl 
     if inside[0] == inside[2] && inside[1] == inside[3] {
         return square.saddle(usize::from(!inside[0]), part);
     }
-    // The inside corners follow each other: from this one on.
+    // The corners inside are consecutive, starting with this one.
     let first = (0..4).find(|k| inside[*k] && !inside[(*k + 3) % 4]).unwrap_or(0);
     part(match inside.iter().filter(|inside| **inside).count() {
         1 => square.cut_off::<1, 3>(first),
@@ -46,7 +46,7 @@ struct Square {
 }
 
 impl Square {
-    /// Where the level is crossed between corner `k` and the one behind it.
+    /// The point where the level is crossed between corner `k` and the next one.
     #[inline(always)]
     fn crossing(&self, k: usize) -> [f64; 2] {
         let (a, b) = (k % 4, (k + 1) % 4);
@@ -76,7 +76,7 @@ impl Square {
         let [a, b, c, d] = [0, 1, 2, 3].map(|k| self.crossing(first + k));
         let corners = [first, first + 2].map(|k| self.corners[k]);
         let moments = Moments::polygon(&[corners[0], a, b, corners[1], c, d]).moved(self.at);
-        // Beside each corner that is not above there is a line.
+        // There is a line at each corner that is not above.
         let contour = distance(a, b) + distance(c, d);
         part(Part { moments, contour, corner: first, across: Some(first + 2) });
     }

@@ -7,10 +7,10 @@
 //!        directions (structure tensor) ─────────────────────────────────────────────────────┘
 //! ```
 //!
-//! On a triangle surface `surface_spots` and `surface_neighbours` read the same of values by vertex.
+//! On a triangle surface `surface_spots`, `surface_neighbours` and `surface_stripes` read the same of values by vertex.
 //!
-//! All results are px and degrees of the canvas, whatever the field's cell size is. Nothing depends on the number
-//! of threads: the supersampled grid is always cut into the same bands of rows, and sums are taken in their order.
+//! All results are px and degrees of the canvas, whatever the field's cell size is. Results do not depend on the number of threads:
+//! the supersampled grid is always cut into equal bands of rows, and sums are taken in their order.
 
 mod blotches;
 mod directions;
@@ -29,6 +29,7 @@ mod stripes;
 mod supersampled_grid;
 mod surface_spacing;
 mod surface_spots;
+mod surface_stripes;
 mod texture_check;
 
 pub use blotches::blotch_width;
@@ -50,4 +51,5 @@ pub use spots::{
 pub use stripes::{StripeStatistics, Tally, areas, stripes, tallies, widths};
 pub use surface_spacing::{SurfaceEdge, surface_edges, surface_neighbours};
 pub use surface_spots::{SurfaceSpot, surface_spots};
+pub use surface_stripes::{SurfaceDirection, SurfaceStripes, surface_directions, surface_stripes};
 pub use texture_check::{MERGED_FILL, Reason, check_formed, check_spot_texture, check_stripe_texture};

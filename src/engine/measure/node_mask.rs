@@ -1,4 +1,4 @@
-//! Rows of nodes as bits, 64 in a word: whether each is above the level. Full and empty squares are passed over by words.
+//! Rows of nodes as bits, 64 in a word: whether each is above the level. Full and empty squares are skipped word by word.
 
 use std::ops::Range;
 
@@ -18,7 +18,7 @@ pub(super) fn mask(values: &[f32], level: f32, words: &mut Vec<u64>) {
     words.extend(values.chunks(64).map(word));
 }
 
-/// Eight bytes that are 0 or 1 as eight bits: the product moves bit 8 k to bit 56 + k, and no other there.
+/// Converts eight bytes that are 0 or 1 to eight bits: the product moves bit 8 k to bit 56 + k, and no other bit into that byte.
 fn packed(bytes: u64) -> u64 {
     bytes.wrapping_mul(0x0102_0408_1020_4080) >> 56
 }
@@ -50,11 +50,11 @@ pub(super) fn runs(mask: &[u64]) -> impl Iterator<Item = Range<usize>> {
 pub(super) enum Squares {
     /// All four nodes of each are above the level.
     Full(Range<usize>),
-    /// Some are.
+    /// Some of the four nodes are above the level.
     Cut(usize),
 }
 
-/// The word of a mask with the next one's first bit: bit k is node k + 1.
+/// A word of a mask shifted by one bit, with the first bit of the next word: bit k is node k + 1.
 fn shifted(mask: &[u64], word: usize) -> u64 {
     mask[word] >> 1 | mask.get(word + 1).copied().unwrap_or(0) << 63
 }
@@ -63,7 +63,7 @@ fn shifted(mask: &[u64], word: usize) -> u64 {
 /// to right.
 pub(super) fn squares(above: &[u64], below: &[u64], nodes: usize, mut each: impl FnMut(Squares)) {
     let within = |word: usize| {
-        // Squares that begin with the last node of the row are none.
+        // No square begins with the last node of the row.
         let left = nodes - 1 - (64 * word).min(nodes - 1);
         if left >= 64 { u64::MAX } else { (1 << left) - 1 }
     };
@@ -76,7 +76,7 @@ pub(super) fn squares(above: &[u64], below: &[u64], nodes: usize, mut each: impl
             full.get_or_insert(64 * word);
             continue;
         }
-        // Where a run of full squares begins or ends, and squares that are neither full nor empty.
+        // Places where a run of full squares begins or ends, and squares that are neither full nor empty.
         let mut events = (all ^ (all << 1 | u64::from(full.is_some()))) | (any & !all);
         while events != 0 {
             let bit = events.trailing_zeros();

@@ -1,18 +1,18 @@
-//! A level that separates the two phases of a picture.
+//! A threshold that separates the ground and the marks of a picture.
 
 const BINS: usize = 4096;
-/// Parts of the range between the phases whose shares of px are compared.
+/// Number of parts of the range between ground and marks whose shares of px are compared.
 const PARTS: usize = 16;
-/// Parts next to the sparsest with up to this many times its px belong to the same step of tones.
+/// Parts next to the sparsest one with up to this multiple of its px belong to one step of tones.
 const STEP: f64 = 4.0;
 
-/// The level between the two phases of a picture, in the middle of the tones that few px have.
+/// The threshold between the ground and the marks of a picture, in the middle of the tones that few px have.
 ///
-/// Otsu's threshold separates the phases. The range between their medians is cut into equal parts. A sparse part, with those
-/// around it that have from as many px to four times as many, is a step of tones: where they change fast from ground to mark
-/// few px have them, so that is where the edges are. The level is the middle of the longest step. Halfway
-/// between the medians, edges are off where colours change over more tones on one side of the edge than on the other. On a
-/// picture of two tones it is half of the contrast.
+/// Otsu's threshold separates ground and marks. The range between their medians is cut into equal parts. A sparse part, with the
+/// parts around it that have up to four times as many px, is a step of tones: where tones change fast from ground to mark few px
+/// have them, so that edges lie there. The threshold is the middle of the longest step. Halfway between the medians, edges would be
+/// displaced if colours change over more tones on one side of the edge than on the other. For a picture of two tones the threshold
+/// is halfway between them.
 ///
 /// N. Otsu, "A threshold selection method from gray-level histograms", IEEE Trans. SMC 9 (1979): the threshold
 /// at which ω₀·ω₁·(μ₁ − μ₀)² is largest.
@@ -40,12 +40,12 @@ pub fn level_between_phases(values: &[f32]) -> f32 {
         });
         reached.unwrap_or(BINS - 1) as f64
     };
-    // Of an even number of px the median is halfway between the two in the middle.
+    // For an even number of px the median is halfway between the two in the middle.
     let median = |from: u64, px: u64| 0.5 * (bin(from + px.saturating_sub(1) / 2) + bin(from + px / 2));
     ((step(&counts, median(0, lower), median(lower, upper)) + 0.5) / BINS as f64) as f32
 }
 
-/// The last bin of the lower phase.
+/// The last bin of the group with the lower values.
 fn threshold(counts: &[u64]) -> usize {
     let total = counts.iter().sum::<u64>() as f64;
     let sum: f64 = counts.iter().enumerate().map(|(bin, count)| bin as f64 * *count as f64).sum();
@@ -66,8 +66,8 @@ fn threshold(counts: &[u64]) -> usize {
 
 /// The middle of the longest step of tones between two bins, in bins.
 ///
-/// A picture of 8 bits has px in a few of the bins only. Half of the px of each belong to either side of it, evenly up to
-/// the next that has some.
+/// A picture of 8 bits has px in only a few of the bins. The px of such a bin count half on either side, evenly distributed up to
+/// the next bin that has px.
 fn step(counts: &[u64], low: f64, high: f64) -> f64 {
     let filled: Vec<usize> = (0..BINS).filter(|bin| counts[*bin] > 0).collect();
     let mut sums = vec![0.0];
@@ -92,7 +92,7 @@ fn step(counts: &[u64], low: f64, high: f64) -> f64 {
         let sparsest = px[first..=last].iter().all(|near| px[least] <= *near);
         sparsest.then(|| (last - first, 0.5 * (from(first) + from(last + 1))))
     });
-    // Of several of the same length the first.
+    // If several have one length, the first is taken.
     steps.rev().max_by_key(|(length, _)| *length).map_or(0.5 * (low + high), |(_, middle)| middle)
 }
 
@@ -110,7 +110,7 @@ mod tests {
 
     #[test]
     fn between_soft_tones_it_is_where_they_change_fastest() {
-        // Two broad phases, 0.1–0.4 and 0.6–0.7, and a steep step between them.
+        // Two broad groups of tones, 0.1–0.4 and 0.6–0.7, and a steep step between them.
         let value = |i: u32| {
             let t = f64::from(i) / 10_000.0;
             let tone = if t < 0.7 {
@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn of_one_tone_it_is_that_tone() {
+    fn for_a_single_tone_it_is_that_tone() {
         assert!((level_between_phases(&[0.3; 50]) - 0.3).abs() < 1e-3);
     }
 

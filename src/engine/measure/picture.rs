@@ -1,4 +1,4 @@
-//! Measures a picture, and finds out whether it shows spots or stripes.
+//! Measures a picture, and decides whether it shows spots or stripes.
 
 use super::raggedness::spot_raggedness;
 use super::spots::{Census, Spot, census};
@@ -9,24 +9,24 @@ use crate::attributes::{Spots, Spread};
 use crate::grid::{Edges, Field};
 use crate::marks::Ellipse;
 
-/// What a picture shows.
+/// The marks of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Picture {
     /// Separate ellipses.
     Spots {
-        /// Whole ones, which the means are over.
+        /// Number of whole spots, over which the means are taken.
         marks: usize,
         /// Means over them.
         got: Spots,
-        /// How much they vary.
+        /// Spread of the spots.
         spread: Spread,
-        /// Their mean raggedness: (contour ÷ contour of the ellipse with the same moments)², 1 of an ellipse; `None` where it
-        /// was not measured.
+        /// Their mean raggedness: (contour ÷ contour of the ellipse with equal moments)², 1 for an ellipse; `None` if it was not
+        /// measured.
         raggedness: Option<f64>,
     },
     /// Long or connected bands.
     Stripes {
-        /// Connected bands, cut ones too.
+        /// Number of connected bands, also those cut by the border.
         marks: usize,
         /// Their statistics.
         got: StripeStatistics,
@@ -34,7 +34,7 @@ pub enum Picture {
 }
 
 impl Picture {
-    /// These measurements with the raggedness of the spots, which lie above `level`.
+    /// These measurements with the raggedness of the spots above `level`.
     #[must_use]
     pub fn with_raggedness(self, field: &Field, level: f32) -> Self {
         let Self::Spots { marks, got, spread, .. } = self else { return self };
@@ -47,13 +47,13 @@ impl Picture {
 /// Contour² ÷ (4π·area): 1 for a disc, 1.8 for an ellipse of aspect 0.25; a band of ten widths has 3.
 const LONG: f64 = 2.5;
 
-/// Ellipses fill their own moments' ellipse; bands, even short ones, do not.
+/// Least fill of the ellipse of a region's own moments: ellipses reach it; bands, even short ones, do not.
 const ROUND: f64 = 0.97;
 
-/// Measures the spots or stripes above `level`. `None` where there are neither: nothing is above it, or only noise.
+/// Measures the spots or stripes above `level`. `None` if there are neither: nothing is above it, or only noise.
 ///
-/// They are stripes where more than half of the area is in bands: regions that are long (contour² ÷ (4π·area) above
-/// 2.5) or endless, and no ellipses.
+/// They are stripes if more than half of the area is in bands: regions that are long (contour² ÷ (4π·area) above 2.5) or endless,
+/// and no ellipses.
 ///
 /// ```
 /// use dapple_engine::grid::{Edges, Field};
@@ -69,7 +69,7 @@ pub fn picture(field: &Field, level: f32) -> Option<Picture> {
     picture_of(field, level, &census(field, level))
 }
 
-/// Measures the spots or stripes of a [`census`] of the field at this level. `None` where there are neither.
+/// Measures the spots or stripes of a [`census`] of the field at this level. `None` if there are neither.
 #[must_use]
 pub fn picture_of(field: &Field, level: f32, census: &Census) -> Option<Picture> {
     let total: f64 = census.spots.iter().map(|spot| spot.ellipse.area()).sum();
@@ -77,7 +77,7 @@ pub fn picture_of(field: &Field, level: f32, census: &Census) -> Option<Picture>
     let banded: f64 = bands.map(|spot| spot.ellipse.area()).sum();
     if banded > 0.5 * total {
         let got = stripes(field, level)?;
-        // Bands under two pixels are what thresholded noise is made of.
+        // Thresholded noise consists of bands narrower than two px.
         let cell = field.cell[0].max(field.cell[1]);
         return (got.width >= 2.0 * cell).then_some(Picture::Stripes { marks: census.spots.len(), got });
     }
@@ -86,11 +86,11 @@ pub fn picture_of(field: &Field, level: f32, census: &Census) -> Option<Picture>
     if is_noise { None } else { spotted(field, census) }
 }
 
-/// Specks that cover less than this share of what the spots cover are dust. Those of thresholded noise, of single px to blurred by 3 px,
-/// cover 0.06 and more where they are twice as many as its spots.
+/// Specks that cover less than this share of the area of the spots are dust. Specks of thresholded noise, of single px or blurred
+/// by up to 3 px, cover at least 0.06 if they are twice as many as its spots.
 const DUST: f64 = 0.03;
 
-/// Measures what is above `level` as spots, however ragged or long they are: patches. `None` where nothing whole is above it.
+/// Measures the regions above `level` as spots, however ragged or long they are: patches. `None` if no whole region is above it.
 #[must_use]
 pub fn patches(field: &Field, level: f32) -> Option<Picture> {
     Some(spotted(field, &census(field, level))?.with_raggedness(field, level))

@@ -1,4 +1,4 @@
-//! Checks whether what was measured in a picture is a texture of spots or stripes, as photographs of other things are not.
+//! Checks whether the marks measured in a picture form a texture of spots or stripes, unlike those in photographs of other things.
 //!
 //! Measured on 75 textures and 30 other pictures (photographs of coins, a clock, faces, a cat, grass; a chessboard, text, a
 //! silhouette): the contrast along the edges varies by 0.12–0.45 in textures, most in those of several layers, and by
@@ -9,7 +9,7 @@ use super::spots::{Spot, census};
 use crate::grid::Field;
 use crate::grid::distance::{length, nearest};
 
-/// Why a picture is no texture of spots or stripes.
+/// The reason why a picture is not a texture of spots or stripes.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum NotTexture {
     /// Too few whole spots.
@@ -24,7 +24,7 @@ pub enum NotTexture {
         /// Wavelengths along the shorter side.
         wavelengths: f64,
     },
-    /// The contrast differs from place to place, as of things in a photograph.
+    /// The contrast differs from place to place, as it does between objects in a photograph.
     #[error(
         "the contrast along the edges varies by {variation:.2} of its mean, in a texture by at most {CONTRAST}"
     )]
@@ -38,14 +38,14 @@ pub enum NotTexture {
         /// Coefficient of variation.
         variation: f64,
     },
-    /// Bands without a direction, not even locally.
+    /// Bands without a direction, even locally.
     #[error("the bands have no direction: coherence {coherence:.2}, of stripes at least {COHERENCE}")]
     NoDirection {
         /// Mean coherence.
         coherence: f64,
     },
     /// The ground is as broken up as the marks: a chessboard.
-    #[error("the ground does not hang together: its largest part is {:.0} % of it, between spots at least {:.0} %", 100.0 * share, 100.0 * GROUND)]
+    #[error("the ground is not connected: its largest part is {:.0} % of it; between spots it is at least {:.0} %", 100.0 * share, 100.0 * GROUND)]
     BrokenGround {
         /// Share of the ground that is its largest part.
         share: f64,
@@ -62,11 +62,11 @@ const CONTRAST: f64 = 0.48;
 /// Largest coefficient of variation of the widths of bands: 0.1–0.35 in textures of one layer, up to 0.75 of several,
 /// 1–3 in most photographs.
 const WIDTHS: f64 = 0.85;
-/// Least mean coherence: 0.54 was seen of a web, below 0.3 of text and of a chessboard.
+/// Least mean coherence: 0.54 was measured for a web, less than 0.3 for text and for a chessboard.
 const COHERENCE: f64 = 0.4;
-/// What fills more than this share of the ellipse with its second moments is one; a rectangle fills 0.955.
+/// A region that fills more than this share of the ellipse with its second moments counts as an ellipse; a rectangle fills 0.955.
 const ELLIPSE: f64 = 0.97;
-/// Least share of the ground between spots that is its largest part: 0.97 and more in textures, 0.03 of a chessboard.
+/// Least share of the ground between spots in its largest part: 0.97 and more in textures, 0.03 for a chessboard.
 const GROUND: f64 = 0.4;
 
 /// Checks that `found`, measured above `level` in `field`, belongs to a texture.
@@ -106,7 +106,7 @@ pub fn check_picture(field: &Field, level: f32, found: &Picture) -> Result<(), N
     Ok(())
 }
 
-/// Whether what is above the level surrounds ellipses: most of the ground below it is in such.
+/// Whether the marks surround ellipses: most of the ground is in ellipses.
 fn is_web(field: &Field, level: f32) -> bool {
     let negative = Field { values: field.values.iter().map(|value| -value).collect(), ..field.clone() };
     let holes = census(&negative, -level).spots;
@@ -139,7 +139,7 @@ fn contrast_variation(field: &Field, level: f32) -> f64 {
     variation(count, sum, squares)
 }
 
-/// Standard deviation ÷ mean; 0 of nothing.
+/// Standard deviation ÷ mean; 0 without values.
 fn variation(weight: f64, sum: f64, squares: f64) -> f64 {
     if weight <= 0.0 || sum <= 0.0 {
         return 0.0;
@@ -148,8 +148,9 @@ fn variation(weight: f64, sum: f64, squares: f64) -> f64 {
     (squares / weight - mean * mean).max(0.0).sqrt() / mean
 }
 
-/// Coefficient of variation of the half widths of what is above the level: the distances to the ground of the cells that
-/// are farther from it than their neighbours, weighted by themselves as each stands for as much of the area.
+/// Coefficient of variation of the half widths of the regions above the level. The half widths are the distances to the ground of
+/// the cells that are farther from it than their neighbours; each is weighted by itself, in proportion to the area that it
+/// represents.
 fn width_variation(field: &Field, level: f32) -> f64 {
     let ground: Vec<bool> = field.values.iter().map(|value| *value <= level).collect();
     let grid = field.grid();
@@ -174,7 +175,7 @@ fn width_variation(field: &Field, level: f32) -> f64 {
     variation(weight, sum, squares)
 }
 
-/// The share of the ground that is its largest connected part; cells are neighbours where they share a side.
+/// The share of the ground in its largest connected part; cells are neighbours if they share a side.
 fn largest_ground(field: &Field, level: f32) -> f64 {
     let mut open: Vec<bool> = field.values.iter().map(|value| *value <= level).collect();
     let all = open.iter().filter(|open| **open).count();

@@ -1,11 +1,11 @@
-//! Raggedness: how much longer an outline is than that of the ellipse of the same moments.
+//! Raggedness: the squared ratio of the length of an outline to that of the ellipse with equal moments.
 //!
 //! ```text
 //! raggedness = (contour ÷ contour of the ellipse)²
 //! ```
-//! of the ellipse with the outline's area, aspect and second moments: 1 for ellipses, 1.15–1.25 for a square, 2 and more
-//! for fringes. The outline is smoothed along itself by a Gaussian of .05·√area before, so that px and the hand's tremor
-//! do not count; area and moments are those of the smoothed outline, so that ellipses have 1 all the same.
+//! with the ellipse that has the outline's area, aspect and second moments: 1 for ellipses, 1.15–1.25 for a square, 2 and more for
+//! fringes. The outline is first smoothed along itself by a Gaussian of 0.05·√area, so that px and the unsteadiness of a hand have
+//! no effect; area and moments are those of the smoothed outline, so that ellipses still have 1.
 
 use std::f64::consts::PI;
 
@@ -16,17 +16,16 @@ use crate::measure::spots::{SPECK_CELLS, SPECK_SHARE, usual_area};
 
 /// Standard deviation of the smoothing along the outline, √area.
 const SMOOTHING: f64 = 0.05;
-/// Points of the smoothed outline in a standard deviation: its chords are then shorter than what the smoothing leaves.
+/// Points of the smoothed outline per standard deviation: its chords are then shorter than the finest details that remain.
 const STEPS: f64 = 4.0;
 /// The Gaussian is cut here, standard deviations.
 const CUT: f64 = 3.5;
-/// Points of an outline at least.
+/// Fewest points of an outline.
 const LEAST: usize = 48;
-/// Points of an outline at most: an outline a hundred times as long as that of a disc is no spot.
+/// Most points of an outline: one a hundred times as long as that of a disc is not a spot.
 const MOST: usize = 20_000;
 
-/// The raggedness of the closed polygon with these corners, px; the last is joined to the first. `None` where it encloses
-/// no area.
+/// The raggedness of the closed polygon with these corners, px; the last is joined to the first. `None` if it encloses no area.
 ///
 /// ```
 /// use dapple_engine::measure::raggedness;
@@ -57,7 +56,7 @@ pub fn raggedness(corners: &[[f64; 2]]) -> Option<f64> {
 }
 
 /// The raggedness of each whole spot above `level`: regions that touch no closed edge and are not endless, without specks and
-/// holes. In the order in which rows from the top meet them.
+/// holes. In reading order of their first row.
 #[must_use]
 pub fn spot_raggedness(field: &Field, level: f32) -> Vec<f64> {
     spot_raggedness_at(field, level).into_iter().map(|(_, raggedness)| raggedness).collect()
@@ -103,7 +102,7 @@ fn resampled(corners: &[[f64; 2]], length: f64, count: usize) -> Vec<[f64; 2]> {
         }
         passed += side;
     }
-    // The last may be lost by rounding.
+    // The last point may be lost by rounding.
     points.resize(count, corners[0]);
     points
 }
@@ -126,11 +125,11 @@ fn smoothed(points: &[[f64; 2]], sigma: f64) -> Vec<[f64; 2]> {
     (0..count).map(at).collect()
 }
 
-/// No line leads on from here.
+/// No line continues from here.
 const NOWHERE: u32 = u32::MAX;
 
-/// The closed level lines round regions above `level`, each with the area in it, px². Lines round holes, lines that reach a closed
-/// edge and those that lead round a tile are left out.
+/// The closed level lines around regions above `level`, each with the area inside, px². Lines around holes, lines that reach a
+/// closed edge and lines that go around a tile are left out.
 ///
 /// Marching squares between the cells' centres; a line leaves a square where it enters the next one, with the region on its
 /// right. Of two opposite corners above the level, both are joined where the mean of all four is above it.
@@ -167,7 +166,8 @@ fn outlines(field: &Field, level: f32) -> Vec<(f64, Vec<[f64; 2]>)> {
     found
 }
 
-/// The line from side `start` on, px, as it lies without the borders of a tile; `None` unless it comes back to its start.
+/// The line from side `start` on, px, continued without breaks across the borders of a tile; `None` unless it comes back to its
+/// start.
 fn follow(field: &Field, level: f32, next: &mut [u32], start: usize) -> Option<Vec<[f64; 2]>> {
     if next[start] == NOWHERE {
         return None;
@@ -197,7 +197,7 @@ fn follow(field: &Field, level: f32, next: &mut [u32], start: usize) -> Option<V
     closed.then_some(corners)
 }
 
-/// Where the level is on a side between the centres of two cells, px.
+/// The point at which the level is reached on a side between the centres of two cells, px.
 fn crossing(field: &Field, level: f32, side: usize) -> [f64; 2] {
     let (cell, axis) = (side / 2, side % 2);
     let mut at = [cell % field.width, cell / field.width];
@@ -233,7 +233,7 @@ mod tests {
 
     #[test]
     fn known_shapes_have_the_values_worked_out_by_hand() {
-        // Without smoothing: a square has 16 ÷ 4π = 1.273, a flower of seven petals the ratio of the integrals.
+        // Without smoothing: for a square 16 ÷ 4π = 1.273, for a flower of seven petals the ratio of the integrals.
         let square = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]];
         let found = raggedness(&square).expect("an area");
         assert!((1.15..1.26).contains(&found), "{found}");
@@ -241,7 +241,7 @@ mod tests {
         let rough = perimeter(&flower).powi(2) / (4.0 * PI * Moments::polygon(&flower).area);
         let found = raggedness(&flower).expect("an area");
         assert!(found > 0.75 * rough && found < rough, "{found}, {rough}");
-        // The finer the fringe, the less of it the smoothing leaves.
+        // The finer the fringe, the more of it the smoothing removes.
         let fringe = |petals: f64| polygon(8_000, |turn| 40.0 * (1.0 + 0.04 * libm::cos(petals * turn)), 1.0);
         let [coarse, fine] = [7.0, 60.0].map(|petals| raggedness(&fringe(petals)).expect("an area"));
         assert!(coarse > 1.02 && fine < 1.01, "{coarse}, {fine}");
@@ -259,7 +259,7 @@ mod tests {
         assert_eq!(raggedness(&[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]]), None);
     }
 
-    /// A smooth field whose level ½ is the flower about each of `centers`.
+    /// A smooth field whose level line ½ is the flower about each of `centers`.
     fn flowers(centers: &[[f64; 2]], depth: f64, edges: Edges) -> Field {
         let tile = Field::flat(160, 120, edges, 0.0).grid().bounds();
         Field::from_fn([160, 120], [1.0, 1.0], edges, |at| {

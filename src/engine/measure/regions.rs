@@ -1,4 +1,4 @@
-//! The regions by which what is measured is counted.
+//! Regions for which measurements are counted.
 
 use crate::attributes::regions::RegionGrid;
 
@@ -7,7 +7,7 @@ use crate::attributes::regions::RegionGrid;
 pub enum Regions<'a> {
     /// The regions of a grid.
     Grid(&'a RegionGrid),
-    /// So many, of which a function returns the one of a place, px.
+    /// A number of regions, with a function that returns the region of a place, px.
     Any(usize, &'a (dyn Fn([f64; 2]) -> usize + Sync)),
 }
 
@@ -15,7 +15,7 @@ impl<'a> Regions<'a> {
     /// The whole canvas.
     pub const ONE: Self = Self::Any(1, &|_| 0);
 
-    /// How many there are.
+    /// Number of regions.
     #[must_use]
     pub fn count(&self) -> usize {
         match self {

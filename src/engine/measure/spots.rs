@@ -14,9 +14,9 @@ pub struct Spot {
     /// Area of the region, px²; aspect, direction and centre of the ellipse that has its second moments.
     /// `radii[0]` is the larger. On a wrapped field the centre is folded into the canvas.
     pub ellipse: Ellipse,
-    /// It touches no closed edge and is not endless: all of it was measured.
+    /// Whether all of it was measured: it touches no closed edge and is not endless.
     pub whole: bool,
-    /// It meets itself across a wrapped border: a stripe round the tile, not an ellipse.
+    /// Whether it meets itself across a wrapped border: a stripe around the tile, not an ellipse.
     pub endless: bool,
     /// Length of its outline, holes included, without the frame, px.
     pub contour: f64,
@@ -27,7 +27,7 @@ pub struct Spot {
     pub peak: f32,
 }
 
-/// The spots of a field, and how many specks were left out.
+/// The spots of a field, and the number of specks that were left out.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Census {
     /// In reading order of their first row.
@@ -35,7 +35,7 @@ pub struct Census {
     /// Regions under 2 cells of the field, or under 5 % of the usual area: that of the region at which half of the total
     /// area is reached, counted from the smallest.
     pub specks: usize,
-    /// What these cover, px².
+    /// The area of the specks, px².
     pub speck_area: f64,
     /// The area below which regions are specks, px².
     pub least: f64,
@@ -65,21 +65,21 @@ pub fn spots(field: &Field, level: f32) -> Vec<Spot> {
     census(field, level).spots
 }
 
-/// The regions above `level`, specks left out; regions of `least` px² and more are no specks, however large others are.
+/// The regions above `level`, with specks left out; regions of at least `least` px² are no specks, however large others are.
 #[must_use]
 pub fn spots_of_at_least(field: &Field, level: f32, least: f64) -> Vec<Spot> {
     spots_on_nodes(field, level, least, nodes_a_cell(field, level))
 }
 
-/// The regions of at least `least` px² above `level`, read on so many nodes a cell each way: [`nodes_a_cell`] of the field, or of
-/// one with nearly the same spots.
+/// The regions of at least `least` px² above `level`, measured on `nodes` nodes per cell along each side: [`nodes_a_cell`] of the
+/// field, or of one with nearly the same spots.
 #[must_use]
 pub fn spots_on_nodes(field: &Field, level: f32, least: f64, nodes: usize) -> Vec<Spot> {
     without_specks(&regions(field, level, nodes), field, least).spots
 }
 
-/// The regions of at least `least` px² above `level`, read from the values of the cells alone: centres are exact to a hundredth
-/// of a radius for spots of 12 cells and more, and areas to 6 %. Takes a fifth of the time of [`spots_of_at_least`].
+/// The regions of at least `least` px² above `level`, measured from the values of the cells alone: centres are accurate to a
+/// hundredth of a radius for spots of 12 cells and more, and areas to 6 %. Takes a fifth of the time of [`spots_of_at_least`].
 #[must_use]
 pub fn rough_spots_of_at_least(field: &Field, level: f32, least: f64) -> Vec<Spot> {
     without_specks(&regions(field, level, 1), field, least).spots
@@ -87,11 +87,10 @@ pub fn rough_spots_of_at_least(field: &Field, level: f32, least: f64) -> Vec<Spo
 
 /// The regions above `level`.
 ///
-/// The field is read on a grid so fine that the numbers are those of the smooth surface through it
-/// ([`crate::grid::resample::Spline`]): area to 0.1 % for spots over 5 cells. Neighbours belong together where
-/// they share a side, or the mean of the four around a corner is above the level. On closed edges the field
-/// ends half a cell beyond its outermost centres; on wrapped ones regions are joined across the border and
-/// measured in one piece.
+/// The field is read on a grid so fine that the results are those of the smooth surface through it
+/// ([`crate::grid::resample::Spline`]): areas are accurate to 0.1 % for spots of more than 5 cells. Neighbouring nodes are
+/// connected if they share a side, or if the mean of the four around a corner is above the level. On closed edges the field ends
+/// half a cell beyond its outermost centres; on wrapped ones regions are joined across the border and measured in one piece.
 ///
 /// Memory: besides the field, its spline (as much again) and a band of 4 MB.
 #[must_use]
@@ -99,26 +98,25 @@ pub fn census(field: &Field, level: f32) -> Census {
     without_specks(&regions(field, level, nodes_a_cell(field, level)), field, f64::INFINITY)
 }
 
-/// The regions above `level`, see [`census`], where all regions below `least` px² are specks and no others, however large these
-/// are.
+/// The regions above `level`, see [`census`], where exactly the regions below `least` px² are specks, whatever the other areas are.
 #[must_use]
 pub fn census_of_at_least(field: &Field, level: f32, least: f64) -> Census {
     of_at_least(&regions(field, level, nodes_a_cell(field, level)), field, least)
 }
 
-/// Nodes a cell each way, as many as the small ones of the regions above `level` need.
+/// Nodes per cell along each side, as many as the small regions above `level` need.
 ///
-/// With nodes h cells apart, chords and linear crossings cost an area A of the order h² ÷ A; 0.0012 of that was
-/// found to leave errors under 0.1 % (`tests/ruler`).
+/// With nodes h cells apart, chords and linear crossings cause a relative error of an area A of the order of h² ÷ A; a value of
+/// 0.0012 keeps errors under 0.1 % (`tests/ruler`).
 #[must_use]
 pub fn nodes_a_cell(field: &Field, level: f32) -> usize {
-    // Cut regions may be small though their marks are not, and tiny ones are specks.
+    // Cut regions may be small although their marks are not, and tiny regions are specks.
     let counts = |region: &&Region| region.moments.area > SPECK_CELLS && !region.touches;
     let rough = collected(field, level, 1, Detail::Nodes);
     let mut areas: Vec<f64> = rough.iter().filter(counts).map(|region| region.moments.area).collect();
     areas.sort_by(f64::total_cmp);
     let nodes = |small: &f64| (1.0 / (0.0012 * small)).sqrt().ceil() as usize;
-    // Without any, two nodes a cell show what may lie between the cells.
+    // Without any, two nodes per cell show regions that may lie between the cells.
     areas.get(areas.len() / 10).map_or(2, nodes).clamp(2, 8)
 }
 
@@ -149,24 +147,24 @@ struct Collector<'a> {
     detail: Detail,
     level: f32,
     edges: Edges,
-    /// Whether the first row is the border of the field.
+    /// Whether the first row is at the border of the field.
     top: bool,
     sets: UnionFind,
     known: Vec<Region>,
     /// The row above: its y and labels.
     y: f64,
     labels: Vec<u32>,
-    /// Which of its nodes are inside.
+    /// Bits of the nodes above the level.
     inside: Vec<u64>,
     first: Vec<u32>,
 }
 
-/// What is added up of a region.
+/// The quantities that are added up for a region.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Detail {
-    /// The nodes inside, as its area: less exact, and faster.
+    /// The number of nodes inside, as its area: less accurate, and faster.
     Nodes,
-    /// All, within the outlines between the nodes.
+    /// All quantities, within the outlines between the nodes.
     Outlines,
 }
 
@@ -174,7 +172,7 @@ fn regions(field: &Field, level: f32, factor: usize) -> Vec<Region> {
     collected(field, level, factor, Detail::Outlines)
 }
 
-/// The regions above `level` with what `detail` says.
+/// The regions above `level`, with the quantities of `detail`.
 fn collected(field: &Field, level: f32, factor: usize, detail: Detail) -> Vec<Region> {
     let nodes = SupersampledGrid::new(field, factor);
     let collector = |top| Collector {
@@ -206,7 +204,7 @@ fn collected(field: &Field, level: f32, factor: usize, detail: Detail) -> Vec<Re
 }
 
 impl Collector<'_> {
-    /// Takes the next row of nodes; `above` are the values of the last one, empty where there was none.
+    /// Adds the next row of nodes; `above` are the values of the row before, empty if there was none.
     fn row(&mut self, y: f64, values: &[f32], above: &[f32]) {
         let mut inside = Vec::new();
         mask(values, self.level, &mut inside);
@@ -246,8 +244,8 @@ impl Collector<'_> {
         self.labels = below.labels.iter().map(moved).collect();
     }
 
-    /// Labels each run of inside nodes of a row: with the label of the node above its first one, or a new one; and joins it with
-    /// the runs above it.
+    /// Labels each run of inside nodes of a row: with the label of the node above its first one, or a new one; and joins it to the
+    /// runs above it.
     fn label(&mut self, values: &[f32], inside: &[u64]) -> Vec<u32> {
         let mut labels = vec![OUT; values.len()];
         let Self { sets, known, labels: labels_above, inside: inside_above, .. } = self;
@@ -359,7 +357,7 @@ impl Collector<'_> {
     }
 }
 
-/// The usual one of these areas: smaller ones cover half of what all cover; 0 of none.
+/// The usual value of these areas: smaller ones cover half of the total area; 0 without areas.
 pub fn usual_area(areas: impl Iterator<Item = f64>) -> f64 {
     let mut areas: Vec<f64> = areas.collect();
     areas.sort_by(f64::total_cmp);

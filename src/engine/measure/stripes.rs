@@ -7,10 +7,10 @@ use crate::measure::node_mask::{self, Squares, mask};
 use crate::measure::regions::Regions;
 use crate::measure::supersampled_grid::SupersampledGrid;
 
-/// What the stripes of a field look like.
+/// Statistics of the stripes of a field.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StripeStatistics {
-    /// 2 × area ÷ contour length, px; the contour along the frame left out.
+    /// 2 × area ÷ contour length, px; without the contour along the frame.
     pub width: f64,
     /// Coherence-weighted axial mean of the direction along the stripes, degrees in [0, 180).
     pub angle: f64,
@@ -18,7 +18,7 @@ pub struct StripeStatistics {
     pub alignment: f64,
     /// Mean coherence of the structure tensor, 0..1: 1 = each place has one clear direction.
     pub coherence: f64,
-    /// 2 × canvas area ÷ contour length, px: of parallel stripes the distance from one to the next.
+    /// 2 × canvas area ÷ contour length, px: for parallel stripes the distance from one to the next.
     pub wavelength: f64,
     /// Share of the canvas that is above the level, 0..1.
     pub share: f64,
@@ -41,7 +41,7 @@ impl Tally {
     }
 }
 
-/// Statistics of the stripes above `level`; `None` where no contour is found.
+/// Statistics of the stripes above `level`; `None` if no contour is found.
 #[must_use]
 pub fn stripes(field: &Field, level: f32) -> Option<StripeStatistics> {
     let [tally] = tallies(field, level, Regions::ONE)[..] else { return None };
@@ -69,25 +69,25 @@ pub(super) fn wavelength(field: &Field, contour: f64) -> f64 {
     2.0 * width * height / contour
 }
 
-/// Mean width (px) of what is above `level` in each of the `regions`; `None` where a region has no contour.
+/// Mean width (px) of the areas above `level` in each of the `regions`; `None` if a region has no contour.
 #[must_use]
 pub fn widths(field: &Field, level: f32, regions: Regions) -> Vec<Option<f64>> {
     tallies(field, level, regions).iter().map(Tally::width).collect()
 }
 
-/// Area (px²) of what is above `level` in each of the `regions`.
+/// Area (px²) above `level` in each of the `regions`.
 #[must_use]
 pub fn areas(field: &Field, level: f32, regions: Regions) -> Vec<f64> {
     let tallies = tallied(field, level, regions, FACTOR as usize);
     tallies.iter().map(|tally| tally.area).collect()
 }
 
-/// Nodes across a stripe: with so many, widths are exact to 0.1 % (`tests/ruler`).
+/// Nodes across a stripe with which widths are accurate to 0.1 % (`tests/ruler`).
 const ACROSS: f64 = 12.0;
-/// Nodes a cell each way at most: they are enough for stripes of four cells.
+/// Most nodes per cell along each side: enough for stripes of four cells.
 const FACTOR: f64 = 3.0;
 
-/// Area and contour length of what is above `level` in each of the `regions`.
+/// Area above `level` and contour length in each of the `regions`.
 #[must_use]
 pub fn tallies(field: &Field, level: f32, regions: Regions) -> Vec<Tally> {
     let coarse = tallied(field, level, regions, 1);
@@ -97,7 +97,7 @@ pub fn tallies(field: &Field, level: f32, regions: Regions) -> Vec<Tally> {
     if factor == 1 { coarse } else { tallied(field, level, regions, factor) }
 }
 
-/// Area and contour length of what is above `level` in each of the `regions`, on `factor` nodes a cell.
+/// Area above `level` and contour length in each of the `regions`, on `factor` nodes per cell.
 fn tallied(field: &Field, level: f32, regions: Regions, factor: usize) -> Vec<Tally> {
     let nodes = SupersampledGrid::new(field, factor);
     let n = nodes.xs.len();

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use crate::grid::resample::Spline;
 use crate::grid::{Edges, Field};
 
-/// The most nodes of a supersampled grid; a 4096² field gets 4 × 4 a cell at most.
+/// The most nodes of a supersampled grid; a 4096² field gets at most 4 × 4 per cell.
 const MOST_NODES: f64 = 3e8;
 
 /// Nodes of a band.
@@ -25,7 +25,7 @@ pub(super) struct SupersampledGrid<'a> {
 }
 
 impl<'a> SupersampledGrid<'a> {
-    /// The grid with `factor` nodes a cell each way, or as many as fit.
+    /// The grid with `factor` nodes per cell along each side, or as many as fit.
     pub(super) fn new(field: &'a Field, factor: usize) -> Self {
         let cells = (field.width * field.height).max(1) as f64;
         let factor = factor.min((MOST_NODES / cells).sqrt() as usize).max(1);
@@ -33,10 +33,10 @@ impl<'a> SupersampledGrid<'a> {
         Self { field, factor, xs }
     }
 
-    /// Does `work` on bands of rows, on all threads, and gives the results in the order of the bands.
+    /// Does `work` on bands of rows, on all threads, and returns the results in the order of the bands.
     ///
-    /// `work` takes the rows' ys (px), their values and whether the band is the topmost. The last row of a band is also the
-    /// first of the next. Bands are the same for any number of threads.
+    /// `work` takes the rows' ys (px), their values and whether the band is the topmost. The last row of a band is also the first
+    /// of the next. Bands do not depend on the number of threads.
     pub(super) fn bands<T: Send>(&self, work: impl Fn(&[f64], &[f32], bool) -> T + Sync) -> Vec<T> {
         let field = self.field;
         let (width, height) = (field.width * self.factor, field.height * self.factor);

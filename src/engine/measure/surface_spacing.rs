@@ -1,8 +1,8 @@
-//! Spacing on a triangle surface: the weighted mean length of the edges between neighbours, as [`crate::attributes::spacing`] has it in
-//! the plane.
+//! Spacing on a triangle surface: the weighted mean length of the edges between neighbours, defined as in the plane
+//! ([`crate::attributes::spacing`]).
 //!
-//! Each point sees its neighbours in its tangent plane, and has the Delaunay edges there. An edge counts as its two ends see it. On a flat
-//! surface these are the edges of the plane.
+//! Each point has its neighbours in its tangent plane, with the Delaunay edges there. The weight of an edge is the mean over its
+//! two ends. On a flat surface these are the edges of the plane.
 
 use rayon::prelude::*;
 
@@ -18,26 +18,27 @@ pub struct SurfaceEdge {
     pub length: f64,
     /// The place halfway.
     pub midpoint: SurfacePoint,
-    /// Cosine of the larger of the angles opposite to it: the mean of what both ends see, 0 where one does not see the edge.
+    /// Cosine of the larger of the angles opposite to it: the mean over the tangent planes of both ends, 0 for an end without the
+    /// edge.
     pub cos_opposite: f64,
 }
 
 impl SurfaceEdge {
-    /// Its weight, 0..1, where points are `nearest` from their nearest; see [`Edge::weight`].
+    /// Its weight, 0..1, if the usual distance of points to their nearest is `nearest`; see [`Edge::weight`].
     #[must_use]
     pub fn weight(&self, nearest: f64) -> f64 {
         self.in_plane().weight(nearest)
     }
 
-    /// This edge in the plane, without a place.
+    /// The corresponding edge in the plane, without a place.
     fn in_plane(&self) -> Edge {
         let Self { ends, length, cos_opposite, .. } = *self;
         Edge { ends, length, midpoint: [0.0; 2], hull: false, cos_opposite }
     }
 }
 
-/// Neighbours are looked for within so many distances of a hexagonal lattice with as many points: an edge of weight above 0 is up to 3.5
-/// of the distances to the nearest long, and its empty circle up to 1.02 times as wide.
+/// Range of the search for neighbours, in distances of a hexagonal lattice with as many points: an edge with a weight above 0 is up
+/// to 3.5 distances to the nearest long, and its empty circle up to 1.02 times as wide.
 const REACH: f64 = 4.3;
 
 /// The edges between neighbours among these places, each once, in the order of their ends.
@@ -62,7 +63,7 @@ pub fn surface_edges(surface: &Surface, places: &[SurfacePoint]) -> Vec<SurfaceE
     all.chunk_by(|a, b| a.ends == b.ends).map(one).collect()
 }
 
-/// The edges that one of the points sees.
+/// The edges of one of the points in its tangent plane.
 fn edges_at(
     surface: &Surface,
     places: &[SurfacePoint],
@@ -97,7 +98,7 @@ fn edges_at(
     edges(&at, None).iter().filter_map(joined).collect()
 }
 
-/// The edges that the spacing of places is the mean of, with their weights: s is the median of the distances to the nearest.
+/// The edges whose weighted mean is the spacing of places, with their weights: s is the median of the distances to the nearest.
 #[must_use]
 pub fn surface_neighbours(surface: &Surface, places: &[SurfacePoint]) -> Vec<(SurfaceEdge, f64)> {
     let all = surface_edges(surface, places);
@@ -115,7 +116,7 @@ mod tests {
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
-    /// Mean distance between neighbours; `None` of fewer than two.
+    /// Mean distance between neighbours; `None` for fewer than two.
     fn surface_spacing(surface: &Surface, places: &[SurfacePoint]) -> Option<f64> {
         let weighted = surface_neighbours(surface, places).into_iter();
         let edges: Vec<WeightedEdge> = weighted
@@ -179,7 +180,7 @@ mod tests {
 
     #[test]
     fn spacing_is_read_along_the_surface() {
-        // Columns and rows of a tube, each second row half a step on.
+        // Columns and rows of a tube, every second row shifted by half a step.
         let surface = Surface::new(cylinder([80, 60], 8.0, 40.0), [0.0, 0.0, 1.0]);
         let cells = (0..6).flat_map(|row| (0..8).map(move |k| (5 + 9 * row) * 80 + 10 * k + 5 * (row % 2)));
         let places: Vec<SurfacePoint> = cells.map(|cell| surface.place_of(cell)).collect();

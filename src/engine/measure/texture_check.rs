@@ -1,16 +1,16 @@
-//! Checks whether a grown field is a texture that may be learnt from, and if not, why.
+//! Checks whether a grown field is a texture that is suitable as training data, and if not, why.
 
 use super::spots::{Census, Spot};
 use super::stripes::StripeStatistics;
 use crate::grid::Field;
 
-/// Why a grown field is no texture.
+/// The reason why a grown field is not a texture.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Reason {
     /// A value is NaN or infinite.
     #[error("the field holds values that are not finite: the step was too large")]
     NotFinite,
-    /// The range of values is too small: nothing formed, or it died.
+    /// The range of values is too small: no pattern formed, or it vanished.
     #[error("no pattern: values span {range}, at least {least} is needed")]
     NoPattern {
         /// Highest − lowest value.
@@ -26,7 +26,7 @@ pub enum Reason {
         /// Usual values of the ground and of the centre of a mark.
         usual: [f32; 2],
     },
-    /// It was still changing when its time was over.
+    /// The picture still changed at the end of its time.
     #[error("did not settle: still forming when its time was over")]
     Unsettled,
     /// Too few whole spots to take means over.
@@ -59,7 +59,7 @@ pub enum Reason {
         /// Mean fill of the whole marks.
         fill: f64,
     },
-    /// The spots differ too much in size for one mean to stand for them.
+    /// The spots differ too much in size for one mean to represent them.
     #[error("spots differ in area by {spread:.2} of the mean, at most {SPREAD} is allowed")]
     TooIrregular {
         /// Coefficient of variation of the area.
@@ -94,7 +94,7 @@ impl Reason {
             Self::NoPattern { .. } => no_pattern,
             Self::TooFew { .. } | Self::TooFewStripes { .. } => too_few,
             Self::TooSmall { .. } => too_small,
-            // Stripes in all directions are a labyrinth; what fills nearly everything has grown together.
+            // Stripes in all directions are a labyrinth; regions that fill nearly everything have merged.
             Self::Merged { .. } | Self::NoDirection { .. } => touching,
             Self::OneSided { share } => {
                 if *share > 0.5 {
@@ -108,28 +108,27 @@ impl Reason {
     }
 }
 
-/// Values that span less than this share of the usual range are no pattern: dead or fading ones were seen below
-/// it (`facts.md` 10).
+/// Values that span less than this share of the usual range are no pattern: dead or fading ones were measured below it (`facts.md`
+/// 10).
 const LEAST_RANGE: f32 = 0.1;
-/// Values farther out than this many times the usual span have diverged. Settled marks were seen within a tenth
-/// of it, Turing's spots of 2 cells, which feed on a dead cell, at 2.2 times beyond.
+/// Values farther out than this multiple of the usual span have diverged. Settled marks were measured within a tenth of it;
+/// Turing's spots of 2 cells, next to a dead cell, were at 2.2 times beyond it.
 const BEYOND: f32 = 1.0;
-/// Fewer whole spots give no mean worth learning.
+/// Fewer whole spots give no useful mean.
 const MARKS: usize = 6;
-/// Below this, soft spots are still read to 2 % but grown ones feel the grid (areas −20 % at 11 cells).
+/// Below this size, soft spots are still measured to 2 %, but grown ones are affected by the grid (areas −20 % at 11 cells).
 const CELLS: f64 = 7.0;
-/// An ellipse fills 1, a rectangle 0.955, two spots grown together less; mixed bars were seen at 0.93–0.98.
+/// An ellipse fills 1, a rectangle 0.955, two merged spots less; mixed bars were measured at 0.93–0.98.
 pub const MERGED_FILL: f64 = 0.93;
-/// Share of the area that may be in marks that fill less: one pair among 80 spots that touch is more, and moves
-/// their mean area by more than it differs between seeds.
+/// Largest share of the area in marks that fill less: one pair among 80 spots that touch exceeds it, and changes their mean area by
+/// more than the difference between seeds.
 const BENT: f64 = 0.02;
-/// Mean fill: good textures were seen above 0.985, bars below 0.98, labyrinths below 0.85.
+/// Mean fill: good textures were measured above 0.985, bars below 0.98, labyrinths below 0.85.
 const MEAN_FILL: f64 = 0.98;
-/// Coefficient of variation of the area, where all spots have the same parameters: 0.02–0.04 was seen of Meinhardt's,
-/// 0.03–0.08 of Turing's; two doubled ones among 80 make 0.16.
+/// Coefficient of variation of the area, if all spots have equal parameters: 0.02–0.04 was measured for Meinhardt's, 0.03–0.08 for
+/// Turing's; two doubled ones among 80 give 0.16.
 const SPREAD: f64 = 0.15;
-/// Random waves of one length reach 0.48 when they run all ways (a labyrinth), 0.71 within ±45°, 0.94 within
-/// ±15°.
+/// Least coherence: random waves of one length reach 0.48 in all directions (a labyrinth), 0.71 within ±45°, 0.94 within ±15°.
 const COHERENCE: f64 = 0.7;
 
 /// Checks that a pattern has formed, within the range of the system. `usual` are the values of the ground and of the
@@ -152,7 +151,7 @@ pub fn check_formed(field: &Field, usual: [f32; 2]) -> Result<(), Reason> {
     if range >= least { Ok(()) } else { Err(Reason::NoPattern { range, least }) }
 }
 
-/// Checks that a field whose spots all have the same parameters is a texture of spots. `usual` as for [`check_formed`].
+/// Checks that a field whose spots all have equal parameters is a texture of spots. `usual` as for [`check_formed`].
 ///
 /// # Errors
 /// The first [`Reason`] that applies.
@@ -203,7 +202,7 @@ pub fn check_stripe_texture(
     Ok(())
 }
 
-/// Share above the mid-range of a field in which no stripe has an edge.
+/// Share above the mid-range for a field in which no stripe has an edge.
 fn all_or_nothing(field: &Field) -> f64 {
     f64::from(u8::from(field.values.first().is_some_and(|value| *value > 0.5)))
 }

@@ -1,7 +1,7 @@
-//! Three planes of colour → the one channel in which ink and ground differ most.
+//! Converts three planes of colour to the channel in which marks and ground differ most.
 //!
-//! It is the first principal axis of the colours from which what varies slowly has been taken: light that falls off towards a
-//! corner moves all colours, and must not choose the axis.
+//! The channel is the first principal axis of the colours after their slow variation has been subtracted: light that falls off
+//! towards a corner changes all colours, and must not determine the axis.
 
 use rayon::prelude::*;
 
@@ -10,9 +10,10 @@ use super::lab::Lab;
 use crate::grid::Edges;
 use crate::grid::blur::gaussian;
 
-/// Standard deviation of the blur before the axis is computed, cells: noise of single px has no axis.
+/// Standard deviation of the blur before the axis is computed, cells: otherwise noise of single px would contribute.
 const FINE: f64 = 1.0;
-/// Rounds of the power iteration; the ratio of the first two eigenvalues is 2 and more in textures, 2⁻⁵⁰ is rounding.
+/// Rounds of the power iteration; the ratio of the first two eigenvalues is at least 2 in textures, and 2⁻⁵⁰ is below rounding
+/// errors.
 const ROUNDS: usize = 50;
 
 /// The direction of L, a, b in which the picture varies most at lengths up to `sigma` cells; unit length, L not negative.
@@ -28,7 +29,7 @@ pub fn axis(lab: &Lab, sigma: f64) -> [f64; 3] {
             fine
         })
         .collect();
-    // Rows are summed by themselves, and their sums in order: the same on any number of threads.
+    // Rows are summed separately, and their sums in order, so that the result does not depend on the number of threads.
     let rows: Vec<[f64; 6]> = (0..lab.size[1])
         .into_par_iter()
         .map(|y| {
@@ -47,7 +48,7 @@ pub fn axis(lab: &Lab, sigma: f64) -> [f64; 3] {
     first_eigenvector(sums)
 }
 
-/// Of the symmetric matrix [xx, xy, xz, yy, yz, zz]; along x where it is 0.
+/// The first eigenvector of the symmetric matrix [xx, xy, xz, yy, yz, zz]; the first axis if the matrix is 0.
 fn first_eigenvector([xx, xy, xz, yy, yz, zz]: [f64; 6]) -> [f64; 3] {
     let mut v = [1.0, 0.2, 0.1];
     for _ in 0..ROUNDS {

@@ -1,10 +1,10 @@
-//! Means over wide neighbourhoods: sums over blocks of cells, blurred, and read between the blocks.
+//! Means over wide neighbourhoods: sums over blocks of cells, blurred, and interpolated between the blocks.
 
 use crate::grid::Edges;
 use crate::grid::blur::gaussian;
 use rayon::prelude::*;
 
-/// Blocks to a standard deviation of the blur: coarser ones show in what is read between them.
+/// Blocks per standard deviation of the blur: coarser blocks become visible in the interpolated values.
 const BLOCKS: f64 = 6.0;
 
 /// A field of blocks of cells.
@@ -12,13 +12,13 @@ const BLOCKS: f64 = 6.0;
 pub struct Coarse {
     /// Columns and rows of blocks.
     pub size: [usize; 2],
-    /// Cells a block, each way.
+    /// Cells per block along each side.
     pub block: usize,
-    /// A value a block.
+    /// One value for each block.
     pub values: Vec<f32>,
 }
 
-/// How cells are gathered to blocks.
+/// The layout of blocks of cells.
 #[derive(Clone, Copy, Debug)]
 pub struct Blocks {
     cells: [usize; 2],
@@ -47,7 +47,7 @@ impl Blocks {
         self.block * self.block
     }
 
-    /// The sums over the blocks of `N` numbers a cell, each blurred. `of` takes the index of a cell, its column and its row.
+    /// The sums over the blocks of `N` numbers per cell, each blurred. `of` takes the index of a cell, its column and its row.
     #[must_use]
     pub fn blurred<const N: usize, R>(
         &self,
@@ -115,7 +115,7 @@ impl Coarse {
     }
 }
 
-/// `values` on `size` cells, blurred widely: by a Gaussian of `sigma` cells, to about a hundredth of what varies.
+/// `values` on `size` cells, blurred by a wide Gaussian of `sigma` cells, accurate to about a hundredth of their variation.
 #[must_use]
 pub fn wide(values: &[f32], size: [usize; 2], sigma: f64) -> Vec<f32> {
     let blocks = Blocks::new(size, sigma);

@@ -1,4 +1,4 @@
-//! Four corners of a flat thing in an oblique photograph → the photograph as if seen from above.
+//! Converts the part of an oblique photograph between four corners of a flat object to a view from straight above.
 //!
 //! The projection of the unit square onto a quadrilateral, in homogeneous coordinates, with (u, v) 0..1 in the square:
 //!
@@ -14,11 +14,11 @@ use super::Raster;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corners(pub [[f64; 2]; 4]);
 
-/// A corner that turns by less than this sine (3°) is none: the thing is seen edge on.
+/// Least sine of the exterior angle at a corner (3°): otherwise the object is seen edge-on.
 const SINE: f64 = 0.05;
 
 impl Corners {
-    /// Whether they are those of a convex quadrilateral, in clockwise order as seen, and not nearly a triangle.
+    /// Whether the corners are those of a convex quadrilateral, in clockwise order as seen, and not nearly a triangle.
     #[must_use]
     pub fn are_convex(&self) -> bool {
         (0..4).all(|k| {
@@ -28,7 +28,7 @@ impl Corners {
         })
     }
 
-    /// Width and height of the flattened picture, px: the longer one of each two opposite sides, so that nothing is lost.
+    /// Width and height of the flattened picture, px: the longer one of two opposite sides, so that no detail is lost.
     #[must_use]
     pub fn size(&self) -> [f64; 2] {
         let side = |k: usize| length(way(self.0[k], self.0[(k + 1) % 4]));
@@ -45,7 +45,7 @@ impl Corners {
         raster.warped(sides.map(|side| side as usize), |[x, y]| project([x / sides[0], y / sides[1]]))
     }
 
-    /// Where a point of the unit square lies, px. The corners must be convex, see [`Self::are_convex`].
+    /// The position of a point of the unit square, px. The corners must be convex, see [`Self::are_convex`].
     pub fn projection(&self) -> impl Fn([f64; 2]) -> [f64; 2] + Sync + use<> {
         let (across, down, [g, h]) = self.coefficients();
         move |[u, v]| {
@@ -54,10 +54,10 @@ impl Corners {
         }
     }
 
-    /// Where a point, px, lies in the unit square; beyond 0..1 outside of the corners. These must be convex.
+    /// The position of a point, px, in the unit square; beyond 0..1 outside of the corners. These must be convex.
     pub fn unprojection(&self) -> impl Fn([f64; 2]) -> [f64; 2] + Sync + use<> {
         let ([a, b, c], [d, e, f], [g, h]) = self.coefficients();
-        // Two linear equations: (a − x·g)·u + (b − x·h)·v = x − c, and so for y.
+        // Two linear equations: (a − x·g)·u + (b − x·h)·v = x − c, and likewise for y.
         move |[x, y]| {
             let (one, two) = ([a - x * g, b - x * h], [d - y * g, e - y * h]);
             let area = cross(one, two);
@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_projected_comes_back() {
+    fn a_projected_point_is_projected_back() {
         let (project, back) = (OBLIQUE.projection(), OBLIQUE.unprojection());
         for unit in [[0.0, 0.0], [0.3, 0.8], [1.0, 0.1], [1.2, -0.1]] {
             let found = back(project(unit));

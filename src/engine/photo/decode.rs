@@ -1,4 +1,4 @@
-//! A file → an upright picture.
+//! Decodes a file to an upright picture.
 
 mod jpeg;
 mod stretch;
@@ -14,16 +14,16 @@ use image::{DynamicImage, ImageDecoder, ImageError, ImageFormat, ImageReader};
 use super::density;
 use super::foreign::{Foreign, START, foreign};
 
-/// So many bytes are unpacked from any file: the `image` crate's own limit.
+/// Size up to which any file is unpacked, bytes: the `image` crate's own limit.
 const SURE: u64 = 512 << 20;
-/// Of a larger picture, at most so many bytes are unpacked from one: Deflate reaches 1,032, LZW with codes of 12 bits 2,730. A damaged
-/// head would otherwise ask for gigabytes.
+/// Largest ratio of unpacked to packed bytes of a larger picture: Deflate reaches 1,032, LZW with codes of 12 bits 2,730. A damaged
+/// header could otherwise ask for gigabytes.
 const UNPACKED: u64 = 4_096;
 
-/// Why a file is not read as a picture.
+/// The reason why a file is not read as a picture.
 #[derive(Debug, thiserror::Error)]
 pub enum PictureError {
-    /// It is something else.
+    /// The file is of another kind.
     #[error("{0}")]
     Foreign(Foreign),
     /// Its end is missing.
@@ -36,12 +36,12 @@ pub enum PictureError {
         "this kind of TIFF is not read ({0}); save it as RGB or gray of 8 or 16 bits, without a palette and special compression"
     )]
     Tiff(String),
-    /// Nobody knows what it is.
+    /// Its kind is unknown.
     #[error(
         "it is of no format that is read; allowed: JPEG, PNG, WebP, TIFF, BMP, GIF; save or export it as JPEG or PNG"
     )]
     Unknown,
-    /// It cannot be decoded.
+    /// The picture cannot be decoded.
     #[error(transparent)]
     Image(ImageError),
 }
@@ -76,11 +76,11 @@ impl From<io::Error> for PictureError {
 /// A decoded file.
 #[derive(Debug)]
 pub struct Decoded {
-    /// The picture, turned as its EXIF orientation says.
+    /// The picture, rotated by its EXIF orientation.
     pub image: DynamicImage,
-    /// px an inch, where the file says it.
+    /// px an inch, if the file states it.
     pub dpi: Option<f64>,
-    /// What was done to it, in words: a range that was stretched, pictures that were left out.
+    /// Notes on the conversion: a stretched range, pictures that were left out.
     pub notes: Vec<String>,
 }
 
@@ -113,7 +113,7 @@ fn reader<R: BufRead + Seek>(stream: R, start: &[u8]) -> Result<ImageReader<R>, 
     Ok(ImageReader::new(stream).with_guessed_format()?)
 }
 
-/// Width and height of the picture in a file as they are stored, px, from its head alone.
+/// Width and height of the picture in a file as they are stored, px, from its header alone.
 ///
 /// # Errors
 /// It is no picture that can be read (PNG, JPEG, WebP, TIFF, BMP, GIF).
@@ -128,11 +128,11 @@ pub fn size(stream: &mut (impl BufRead + Seek)) -> Result<[usize; 2], PictureErr
     }
 }
 
-/// Decodes a file of any of these formats; of several pictures the first. A narrow range of 16-bit or floating-point values is stretched,
-/// which is noted.
+/// Decodes a file of any of these formats; the first picture if it holds several. A narrow range of 16-bit or floating-point values
+/// is stretched, with a note.
 ///
 /// # Errors
-/// As [`size`], damaged px, an end that is missing, and a size that is absurd for so short a file.
+/// Those of [`size`]; damaged px, a missing end, or a size that is impossible for so short a file.
 pub fn decode(stream: &mut (impl BufRead + Seek)) -> Result<Decoded, PictureError> {
     let mut decoded = decode_stored(stream)?;
     let (image, said) = stretch::widened(decoded.image);
@@ -140,11 +140,11 @@ pub fn decode(stream: &mut (impl BufRead + Seek)) -> Result<Decoded, PictureErro
     Ok(Decoded { image, ..decoded })
 }
 
-/// Decodes a file of any of these formats with the values that are stored. What cannot be held so (TIFFs of floating point and the like) is
-/// stretched, which is noted.
+/// Decodes a file of any of these formats with the stored values. Values that cannot be kept (TIFFs of floating point and the like)
+/// are stretched, with a note.
 ///
 /// # Errors
-/// See [`decode`].
+/// Those of [`decode`].
 pub fn decode_stored(stream: &mut (impl BufRead + Seek)) -> Result<Decoded, PictureError> {
     let length = stream.seek(SeekFrom::End(0))?;
     let start = start(stream)?;
@@ -178,20 +178,20 @@ pub fn decode_stored(stream: &mut (impl BufRead + Seek)) -> Result<Decoded, Pict
     Ok(Decoded { image, dpi: density::dpi(stream, exif.as_deref()), notes })
 }
 
-/// How long a WebP says that it is, bytes (RIFF: the length of what follows the first 8).
+/// The length that a WebP states for itself, bytes (RIFF: the length of what follows the first 8).
 fn webp_length(start: &[u8]) -> Option<u64> {
     let length = start.get(4..8).filter(|_| start.starts_with(b"RIFF"))?;
     Some(8 + u64::from(u32::from_le_bytes(length.try_into().ok()?)))
 }
 
-/// The picture of a decoder, turned as its EXIF data say, and these data.
+/// The picture of a decoder, rotated by its EXIF data, and these data.
 fn upright(
     mut decoder: impl ImageDecoder,
     length: u64,
 ) -> Result<(DynamicImage, Option<Vec<u8>>), PictureError> {
     let (width, height) = decoder.dimensions();
     check_size([width.into(), height.into()], decoder.total_bytes(), length)?;
-    // Damaged EXIF data are none: what is wanted is the picture.
+    // Damaged EXIF data are ignored: only the picture matters.
     let orientation = decoder.orientation().unwrap_or(Orientation::NoTransforms);
     let exif = decoder.exif_metadata().ok().flatten();
     let mut image = DynamicImage::from_decoder(decoder)?;
@@ -199,7 +199,7 @@ fn upright(
     Ok((image, exif))
 }
 
-/// Refuses a size that is absurd for a file of this length.
+/// Refuses a size that is impossible for a file of this length.
 fn check_size([width, height]: [u64; 2], bytes: u64, length: u64) -> Result<(), PictureError> {
     if bytes <= SURE.max(UNPACKED.saturating_mul(length)) {
         return Ok(());
@@ -208,7 +208,7 @@ fn check_size([width, height]: [u64; 2], bytes: u64, length: u64) -> Result<(), 
     Err(io::Error::new(io::ErrorKind::InvalidData, found).into())
 }
 
-/// What is damaged is no kind of TIFF.
+/// A damaged file is not an unknown kind of TIFF.
 fn tiff_error(error: TiffError) -> PictureError {
     match error {
         TiffError::IoError(error) if error.kind() == io::ErrorKind::UnexpectedEof => PictureError::CutShort,

@@ -1,8 +1,8 @@
-//! px an inch of a picture file, where it says so.
+//! px an inch of a picture file, if it states them.
 
 use std::io::{Read, Seek, SeekFrom};
 
-/// px an inch, from what the file (or its EXIF data) says; `None` where that is nothing, or not within 1..100 000.
+/// px an inch, from the file or its EXIF data; `None` if they are not stated, or not within 1..100 000.
 #[must_use]
 pub fn dpi(stream: &mut (impl Read + Seek), exif: Option<&[u8]>) -> Option<f64> {
     let exif = exif.and_then(|bytes| of_tags(&mut std::io::Cursor::new(bytes)));
@@ -20,7 +20,7 @@ pub fn dpi(stream: &mut (impl Read + Seek), exif: Option<&[u8]>) -> Option<f64> 
     found.filter(|dpi| (1.0..=100_000.0).contains(dpi))
 }
 
-/// Bytes in which a JPEG or PNG says it: before the px, behind a colour profile at most.
+/// Bytes in which a JPEG or PNG states it: before the px, after a colour profile at most.
 const HEAD: u64 = 1 << 16;
 /// Metres and centimetres an inch.
 const INCH: [f64; 2] = [0.0254, 2.54];
@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn each_format_says_it_in_its_own_way() {
+    fn each_format_states_it_in_its_own_way() {
         let of = |bytes: &[u8], exif: Option<&[u8]>| dpi(&mut Cursor::new(bytes), exif);
         assert_eq!(of(&tags([3000, 10], 2), None), Some(300.0));
         assert_eq!(of(&tags([100, 1], 3), None), Some(254.0));
@@ -125,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn damaged_and_senseless_files_say_nothing() {
+    fn damaged_and_senseless_files_give_no_resolution() {
         for bytes in
             [&b""[..], b"II*\0\xff\xff\xff\xff", b"\x89PNG\r\n\x1a\n\xff\xff\xff\xffpHYs", &tags([0, 0], 2)]
         {

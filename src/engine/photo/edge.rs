@@ -1,24 +1,24 @@
-//! The level of the marks' edges.
+//! The threshold of the marks' edges.
 //!
-//! A blurred edge is steepest where the sharp one was, and a photograph of shaded marks has its edge there too, not halfway
-//! between the middle of the mark and the ground. But the steepest level is found with an error, so the edge is taken to lie between ½
-//! and it.
+//! A blurred edge is steepest where the sharp one was. In a photograph of shaded marks the edge is there, too, not halfway between
+//! the middle of the mark and the ground. But the steepest value is found with an error, so the threshold is set between ½ and it.
 
-/// Levels at which the gradient is compared.
+/// Number of thresholds at which the gradient is compared.
 const BINS: usize = 48;
-/// The lowest and the highest of them: beyond, gradients are those of noise on ground and ink.
+/// The lowest and the highest of them: beyond, gradients are those of noise on ground and marks.
 const RANGE: [f64; 2] = [0.2, 0.8];
 /// Bins on either side that are averaged: single ones hold the px of a few edges only.
 const AROUND: usize = 4;
 
-/// The level of the edges of phases on `size` cells, between 0 (ground) and 1 (marks): `trust` of the way from ½ to the steepest.
+/// The threshold of the edges in `share` on `size` cells, between 0 (ground) and 1 (marks): from ½ towards the steepest value by
+/// the factor `trust`.
 #[must_use]
 pub fn level(share: &[f32], size: [usize; 2], trust: f64) -> f32 {
     let steepest = steepest(share, size).unwrap_or(0.5);
     (0.5 + trust * (steepest - 0.5)) as f32
 }
 
-/// The level at which the mean gradient is largest; `None` where nothing lies between the levels.
+/// The threshold at which the mean gradient is largest; `None` if no value lies between the limits.
 fn steepest(share: &[f32], [width, height]: [usize; 2]) -> Option<f64> {
     let (mut sums, mut counts) = ([0.0_f64; BINS], [0.0_f64; BINS]);
     let scale = BINS as f64 / (RANGE[1] - RANGE[0]);
@@ -44,7 +44,7 @@ fn steepest(share: &[f32], [width, height]: [usize; 2]) -> Option<f64> {
     if top <= 0.0 {
         return None;
     }
-    // Straight edges have one gradient at all levels: the middle of those that are nearly the steepest.
+    // Straight edges have equal gradients at all thresholds: the middle of those that are nearly steepest is taken.
     let steep = |mean: &f64| (mean / top - NEARLY).max(0.0);
     let total: f64 = means.iter().map(steep).sum();
     let middle =
@@ -52,14 +52,14 @@ fn steepest(share: &[f32], [width, height]: [usize; 2]) -> Option<f64> {
     Some(RANGE[0] + middle / scale)
 }
 
-/// Gradients above this share of the largest count as nearly the steepest, the more the larger they are.
+/// Gradients above this share of the largest count as nearly steepest; the weight increases with the gradient.
 const NEARLY: f64 = 0.9;
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Stripes across x, `profile` of the distance to the middle of the nearest, in half periods.
+    /// Stripes across x; `profile` is a function of the distance to the middle of the nearest stripe, in half periods.
     fn stripes(profile: impl Fn(f64) -> f64) -> (Vec<f32>, [usize; 2]) {
         let size = [400, 20];
         let out = |x: usize| ((x as f64 + 0.5).rem_euclid(40.0) - 20.0).abs() / 20.0;
@@ -67,7 +67,7 @@ mod tests {
     }
 
     #[test]
-    fn even_edges_have_their_level_half_way() {
+    fn even_edges_have_their_threshold_half_way() {
         let (share, size) = stripes(|out| (0.5 + 5.0 * (0.4 - out)).clamp(0.0, 1.0));
         assert!((level(&share, size, 0.7) - 0.5).abs() < 0.01);
     }

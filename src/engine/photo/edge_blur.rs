@@ -1,23 +1,23 @@
-//! The blur of a photograph at the edges of its marks: it mixes the colours of ground and marks, where these are thin up to
-//! their middles.
+//! The blur of a photograph at the edges of its marks. It mixes the colours of ground and marks up to their middles if these are
+//! thin.
 
 use super::lab::Lab;
 use super::light::Light;
 use crate::grid::Edges;
 use crate::grid::blur::gaussian;
 
-/// Standard deviations of the blur that are compared, cells: from one to the next, and how many.
+/// Steps between the standard deviations of the blur that are compared, cells, and their number.
 const STEP: f64 = 0.25;
 const STEPS: usize = 12;
-/// The blur is the widest that leaves at most so much more unexplained than the best one. Of thin stripes only one wave is left,
-/// of which a wide blur and strong colours explain as much as a narrow one and weak colours: photographed things have clear
-/// colours, and edges that noise has moved already take a part of the blur.
+/// The blur is the widest one that leaves at most this multiple of the unexplained variance of the best one. Of thin stripes only
+/// one wave is left, for which a wide blur with strong colours explains as much as a narrow one with weak colours. Photographed
+/// objects have clear colours, and edges that noise has moved already account for a part of the blur.
 const AS_GOOD: f64 = 1.03;
-/// Side of the part in the middle that is looked at, cells.
+/// Side of the central part that is analysed, cells.
 const SIDE: usize = 768;
-/// A cell lies beside another mark where the widest blur brings so much of that mark into it.
+/// Share of another mark in a cell, through the widest blur, from which on the cell is beside that mark.
 const BESIDE: f32 = 0.02;
-/// Colours are separated where the shares of two groups of cells differ by so much at least.
+/// Least difference between the shares of two groups of cells for their colours to be separated.
 const APART: f32 = 0.3;
 
 /// The share of the marks' colour in that of each cell.
@@ -25,9 +25,9 @@ const APART: f32 = 0.3;
 pub struct Shares(Vec<f32>);
 
 impl Shares {
-    /// The shares that the widest Gaussian blur gives which explains the lightness about as well as the best one does, where
-    /// ground and marks have one lightness each. Cells for which `is_other` holds, marks that may have another lightness, and
-    /// what lies beside them do not count.
+    /// The shares from the widest Gaussian blur that explains the lightness about as well as the best one, if ground and marks have
+    /// one lightness each. Ignored are cells for which `is_other` holds (marks that may have another lightness), and cells beside
+    /// them.
     pub fn of_marks(lab: &Lab, is_mark: &[bool], is_other: &[bool], light: &Light) -> Self {
         let share = |is: &bool| f32::from(u8::from(*is));
         let hard: Vec<f32> = is_mark.iter().map(share).collect();
@@ -53,14 +53,14 @@ impl Shares {
         Self(gaussian(&hard, lab.size, STEP * widest as f64, Edges::Closed))
     }
 
-    /// The colours of ground and marks, of those of two groups of cells, more of the ground in the first and of marks in the
-    /// second. Where they hardly differ, as they are.
+    /// The colours of ground and marks, from those of two groups of cells: the first has more of the ground, the second more of
+    /// marks. If the groups hardly differ, their colours are returned unchanged.
     pub fn separated(&self, cells: [&[usize]; 2], colours: [[f32; 3]; 2]) -> [[f32; 3]; 2] {
         let mean = |cells: &[usize]| {
             cells.iter().map(|cell| f64::from(self.0[*cell])).sum::<f64>() as f32 / cells.len() as f32
         };
         let [low, high] = cells.map(mean);
-        // Without cells they are no numbers.
+        // Without cells the means are NaN.
         if low.is_nan() || high.is_nan() || high - low < APART {
             return colours;
         }
@@ -71,7 +71,7 @@ impl Shares {
     }
 }
 
-/// The part of a picture that is looked at.
+/// The part of a picture that is analysed.
 struct Middle {
     size: [usize; 2],
     first: [usize; 2],
@@ -91,7 +91,7 @@ impl Middle {
     }
 }
 
-/// What is left of the variance of `values` after the best a + b · `shares`, × their number.
+/// The residual variance of `values` after the best fit a + b · `shares`, × their number.
 fn unexplained(values: &[f32], shares: &[f32]) -> f64 {
     let count = values.len().max(1) as f64;
     let mean = |of: &dyn Fn(usize) -> f64| (0..values.len()).map(of).sum::<f64>() / count;
@@ -126,10 +126,10 @@ mod tests {
     fn thin_stripes_have_the_colours_that_the_blur_has_mixed() {
         for (wide, sigma) in [(4, 1.5), (4, 0.0), (5, 1.5), (9, 2.0), (20, 1.0)] {
             let (lab, is_mark) = stripes(wide, sigma);
-            let far = |phase: usize| -> Vec<usize> {
+            let far = |group: usize| -> Vec<usize> {
                 let column = |cell: &usize| cell % SIZE[0];
                 let is_middle = |cell: &usize| column(cell) % wide == wide / 2;
-                (0..is_mark.len()).filter(is_middle).filter(|cell| column(cell) / wide % 2 == phase).collect()
+                (0..is_mark.len()).filter(is_middle).filter(|cell| column(cell) / wide % 2 == group).collect()
             };
             let groups = [far(0), far(1)];
             let light = Light::of(&lab, [&[], &[]]);

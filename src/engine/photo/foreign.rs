@@ -1,21 +1,21 @@
-//! Files of other formats, told by their first bytes.
+//! Files of other formats, recognised by their first bytes.
 
 use std::fmt;
 
-/// Bytes that tell what a file is.
+/// Number of bytes from which the kind of a file is recognised.
 pub const START: u64 = 4096;
 
 /// A file that is no picture of a format that is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Foreign {
-    /// What it is, in words.
+    /// The kind of file, in words.
     pub what: &'static str,
-    /// What to do.
+    /// The remedy.
     pub remedy: &'static str,
 }
 
 impl Foreign {
-    /// Whether it is text of which nobody can say what it was meant to be.
+    /// Whether it is text of an unknown kind.
     #[must_use]
     pub fn is_text(&self) -> bool {
         [TEXT, JSON].contains(&self.what)
@@ -36,7 +36,7 @@ const UNPACK: &str = "unpack it, or export the picture in it as PNG";
 const AGAIN: &str = "copy or download it again";
 const FRAME: &str = "save one of its pictures as JPEG or PNG";
 
-/// First bytes, what a file is that begins with them, and what to do with it.
+/// First bytes, the kind of file that begins with them, and the remedy.
 const BEGINNINGS: [(&[u8], &str, &str); 37] = [
     (b"\xff\x0a", "a JPEG XL picture", SAVE),
     (b"\0\0\0\x0cJXL ", "a JPEG XL picture", SAVE),
@@ -97,7 +97,7 @@ const BRANDS: [(&[u8], &str, &str); 16] = [
     (b"M4V ", "a film", FRAME),
 ];
 
-/// What a file that begins with these bytes (at least [`START`], or all) is, if it is certainly no picture that is read.
+/// The kind of a file that begins with these bytes (at least [`START`], or all), if it is certainly not a picture that is read.
 #[must_use]
 pub fn foreign(bytes: &[u8]) -> Option<Foreign> {
     let start = bytes.get(..START as usize).unwrap_or(bytes);
@@ -131,7 +131,7 @@ pub fn foreign(bytes: &[u8]) -> Option<Foreign> {
     web_page(start)
 }
 
-/// Whether a file that begins with these bytes is a web page; other text is named, too.
+/// The kind of a file that begins with these bytes, if it is a web page or other text.
 fn web_page(start: &[u8]) -> Option<Foreign> {
     let text = String::from_utf8_lossy(start).to_ascii_lowercase();
     let text = text.trim_start_matches('\u{feff}').trim_start();

@@ -1,10 +1,10 @@
-//! A decoded file → heights.
+//! Converts a decoded file to heights.
 
 use crate::photo::decode::Decoded;
 use crate::surface::HeightField;
 
-/// The heights that a picture holds, as they are stored: gray values, of colours their luminance. 16 bits keep all their
-/// steps. `None` where one is not finite.
+/// The heights in a picture as they are stored: gray values; of colours their luminance. 16 bits keep all their steps. `None` if a
+/// height is not finite.
 #[must_use]
 pub fn heights(decoded: &Decoded) -> Option<HeightField> {
     let gray = decoded.image.to_luma32f();

@@ -10,7 +10,7 @@ use crate::colour::{linear_light, oklab_of_light};
 pub struct Lab {
     /// Columns and rows.
     pub size: [usize; 2],
-    /// px a cell, each way. px at the right and the lower border that fill no cell are left out.
+    /// px per cell along each side. px at the right and the lower border that do not fill a cell are left out.
     pub factor: usize,
     /// The three planes.
     pub planes: [Vec<f32>; 3],

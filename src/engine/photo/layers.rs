@@ -1,4 +1,4 @@
-//! Two sizes of spots: two layers.
+//! Two layers for spots of two sizes.
 //!
 //! The logarithms of the areas are fitted by one and by two normal distributions (expectation maximisation). Two are taken
 //! where they are far better (Bayesian information criterion), clearly apart (Ashman's D), of different sizes and of some
@@ -11,13 +11,13 @@
 const GAIN: f64 = 10.0;
 /// Least D: above 2 two peaks are apart; pictures of two sizes have 10 and more.
 const APART: f64 = 2.5;
-/// The larger spots have at least so many times the area.
+/// Least ratio of the areas of larger and smaller spots.
 const LARGER: f64 = 2.0;
 /// Fewest spots of either size.
 const LEAST: f64 = 6.0;
-/// Standard deviations of ln area do not fall below this: spots of one size differ by 2 % by their px alone.
+/// Least standard deviation of ln area: spots of one size differ by 2 % by their px alone.
 const FLOOR: f64 = 0.02;
-/// Rounds; the means of distributions that are apart stand after ten.
+/// Rounds; the means of distributions that are apart are constant after ten.
 const ROUNDS: usize = 60;
 
 /// A normal distribution and its share.
@@ -35,7 +35,7 @@ impl Normal {
     }
 }
 
-/// The area between two sizes of spots of these areas; `None` where they have one. With `wanted` the criteria do not count.
+/// The area between two sizes of spots with these areas; `None` if they have one size. With `wanted` the criteria are ignored.
 #[must_use]
 pub fn between_sizes(areas: &[f64], wanted: bool) -> Option<f64> {
     let mut logs: Vec<f64> = areas.iter().map(|area| libm::log(*area)).collect();
@@ -49,7 +49,7 @@ pub fn between_sizes(areas: &[f64], wanted: bool) -> Option<f64> {
     let density = |x: f64| (small.density(x) + large.density(x)).max(f64::MIN_POSITIVE);
     let likelihood: f64 = logs.iter().map(|x| libm::log(density(*x))).sum();
     let single: f64 = logs.iter().map(|x| libm::log(one.density(*x).max(f64::MIN_POSITIVE))).sum();
-    // Two have three parameters more.
+    // Two distributions have three more parameters.
     let gain = 2.0 * (likelihood - single) - 3.0 * libm::log(n as f64);
     let squares = small.deviation * small.deviation + large.deviation * large.deviation;
     let apart = std::f64::consts::SQRT_2 * (large.mean - small.mean) / squares.sqrt();
@@ -58,7 +58,7 @@ pub fn between_sizes(areas: &[f64], wanted: bool) -> Option<f64> {
     if !(wanted || clear && several) {
         return None;
     }
-    // Between the means, where both are as likely.
+    // Between the means, where both are equally likely.
     let (mut low, mut high) = (small.mean, large.mean);
     for _ in 0..ROUNDS {
         let middle = 0.5 * (low + high);
@@ -67,9 +67,9 @@ pub fn between_sizes(areas: &[f64], wanted: bool) -> Option<f64> {
     Some(libm::exp(0.5 * (low + high)))
 }
 
-/// The two distributions of ascending numbers, the one of the smaller first; `None` where they fall together.
+/// The two distributions of ascending numbers, the one of the smaller numbers first; `None` if they coincide.
 fn two(logs: &[f64]) -> Option<[Normal; 2]> {
-    // From the widest gap between neighbours among all that leave some on either side, or else from the middle.
+    // Starting at the widest gap between neighbours that leaves enough on either side, or else in the middle.
     let least = (LEAST as usize).min(logs.len() / 2).max(1);
     let gaps = least..=logs.len() - least;
     let gap = |k: &usize| logs[*k] - logs[*k - 1];
@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn two_sizes_are_told_apart_between_them() {
+    fn the_limit_between_two_sizes_is_found() {
         let found = between_sizes(&areas(&[(400.0, 30), (60.0, 80)], 0.3), false).unwrap();
         assert!((80.0..280.0).contains(&found), "{found}");
     }

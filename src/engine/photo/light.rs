@@ -6,19 +6,19 @@ use super::lab::Lab;
 
 /// 1 on the ground, 1 on marks, then x, y, x², xy and y².
 const TERMS: usize = 7;
-/// The quantile of the light that counts as full: a vignette darkens the rest.
+/// The quantile of the light that counts as full light: a vignette darkens the rest.
 const FULL: f64 = 0.97;
-/// How much the terms of place are held at 0, as a share of all weights: only where nothing else determines them.
+/// Weight that holds the terms of place at 0, as a share of all weights: it matters only if nothing else determines them.
 const RIDGE: f64 = 1e-6;
 /// Cells among which that quantile is sought.
 const SAMPLES: usize = 4096;
-/// Darker cells say nothing of the light (L of OKLab).
+/// Darker cells give no information about the light (L of OKLab).
 const BLACK: f32 = 0.02;
 /// Light is never taken to be darker than this share of the full light.
 const LEAST: f32 = 0.1;
 
-/// The light of each cell ÷ the full light, as it multiplies L, a and b: OKLab is of cube roots, so that less light
-/// multiplies all three alike.
+/// The light of each cell ÷ the full light, as a factor of L, a and b: OKLab consists of cube roots, so that less light multiplies
+/// all three equally.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {
     /// Columns and rows.
@@ -31,26 +31,26 @@ pub struct Light {
 
 impl Light {
     /// The light on cells far inside ground and marks: one quadratic function of place for both, fitted to the logarithms of L by
-    /// weighted least squares. Bright cells count more: noise changes their logarithms less. A blur of the ground's brightness
-    /// would flatten a vignette by half.
-    pub fn of(lab: &Lab, phases: [&[usize]; 2]) -> Self {
+    /// weighted least squares. Bright cells have more weight: noise changes their logarithms less. A blur of the ground's
+    /// brightness would flatten a vignette by half.
+    pub fn of(lab: &Lab, far_inside: [&[usize]; 2]) -> Self {
         let mut normal = SMatrix::<f64, TERMS, TERMS>::zeros();
         let mut right = SVector::<f64, TERMS>::zeros();
-        for (phase, cells) in phases.iter().enumerate() {
+        for (group, cells) in far_inside.iter().enumerate() {
             for &cell in *cells {
                 let l = lab.planes[0][cell];
                 if l <= BLACK {
                     continue;
                 }
                 let mut row = SVector::<f64, TERMS>::zeros();
-                row[phase] = 1.0;
+                row[group] = 1.0;
                 row.as_mut_slice()[2..].copy_from_slice(&terms(lab.size, cell));
                 let weight = f64::from(l) * f64::from(l);
                 normal += weight * row * row.transpose();
                 right += weight * libm::log(f64::from(l)) * row;
             }
         }
-        // Where few cells say nothing of a term, it is 0.
+        // If too few cells determine a term, it is 0.
         for term in 2..TERMS {
             normal[(term, term)] += RIDGE * normal.trace();
         }
@@ -95,21 +95,21 @@ mod tests {
 
     const SIZE: [usize; 2] = [120, 80];
 
-    /// Columns of ground and marks in turn, 10 cells each, of L 0.8 and 0.3, in the light that `darker` divides.
+    /// Alternating columns of ground and marks, 10 cells each, of L 0.8 and 0.3, in light divided by `darker`.
     fn columns(darker: impl Fn([f64; 2]) -> f64) -> (Lab, [Vec<usize>; 2]) {
         let cells = 0..SIZE[0] * SIZE[1];
-        let phase = |cell: usize| cell % SIZE[0] / 10 % 2;
+        let group = |cell: usize| cell % SIZE[0] / 10 % 2;
         let l = |cell: usize| {
             let [x, y, ..] = terms(SIZE, cell);
-            ([0.8, 0.3][phase(cell)] / darker([x, y])) as f32
+            ([0.8, 0.3][group(cell)] / darker([x, y])) as f32
         };
         let planes = [1.0, 0.1, -0.2].map(|factor| cells.clone().map(|cell| factor * l(cell)).collect());
-        let of = |wanted: usize| cells.clone().filter(|cell| phase(*cell) == wanted).collect();
+        let of = |wanted: usize| cells.clone().filter(|cell| group(*cell) == wanted).collect();
         (Lab { size: SIZE, factor: 1, planes }, [of(0), of(1)])
     }
 
     #[test]
-    fn a_vignette_is_divided_out_of_both_phases() {
+    fn a_vignette_is_divided_out_of_ground_and_marks() {
         // Half as bright in the corners.
         let (lab, [ground, marks]) = columns(|[x, y]| libm::exp(1.4 * (x * x + y * y)));
         let light = Light::of(&lab, [&ground, &marks]);
@@ -123,10 +123,10 @@ mod tests {
     }
 
     #[test]
-    fn even_light_changes_nothing_and_missing_phases_are_no_error() {
+    fn even_light_changes_nothing_and_missing_marks_are_no_error() {
         let (lab, [ground, marks]) = columns(|_| 1.0);
-        for phases in [[&ground[..], &marks], [&ground, &[]], [&[], &[]], [&ground[..1], &[]]] {
-            let light = Light::of(&lab, phases);
+        for far_inside in [[&ground[..], &marks], [&ground, &[]], [&[], &[]], [&ground[..1], &[]]] {
+            let light = Light::of(&lab, far_inside);
             for cell in [0, 15, 119, 9_599] {
                 let off = light.divided_out(&lab, cell)[0] - lab.planes[0][cell];
                 assert!(off.abs() < 1e-4, "{off}");

@@ -1,6 +1,6 @@
-//! Stripes → the lines that stand for them in a sketch.
+//! Lines that represent the stripes of a photograph in a sketch.
 //!
-//! For a region: three straight lines side by side, with its width, direction and period. Or all: the centre line of each
+//! For a region: three straight lines side by side, with its width, direction and period. For all marks: the centre line of each
 //! band, followed along the local direction.
 
 use super::representatives::Bounds;
@@ -9,7 +9,7 @@ use crate::grid::resample::Spline;
 use crate::marks::Path;
 use crate::measure::Directions;
 
-/// What the stripes of a region are like.
+/// The mean stripes of a region.
 #[derive(Clone, Copy, Debug)]
 pub struct Band {
     /// Width of the lines, px.
@@ -25,7 +25,7 @@ const LONG: f64 = 3.0;
 /// Longest lines of a region, as a share of its shorter side.
 const MOST: f64 = 0.6;
 
-/// Three lines side by side in the middle of a region; one where three do not fit. The middle one lies on a stripe.
+/// Three lines side by side in the middle of a region; one if three do not fit. The middle one lies on a stripe.
 #[must_use]
 pub fn of_region(field: &Field, band: Band, bounds: Bounds) -> Vec<Path> {
     let surface = Spline::new(field);
@@ -50,23 +50,23 @@ pub fn of_region(field: &Field, band: Band, bounds: Bounds) -> Vec<Path> {
         .collect()
 }
 
-/// Places at which the pattern is compared on either side.
+/// Number of places on either side at which the pattern is compared.
 const STEPS: i32 = 16;
 
 /// A step along a band, in wavelengths.
 const STEP: f64 = 0.2;
-/// A line is put back on the middle of its band within this far on either side, in wavelengths.
+/// Largest distance by which a line is moved back to the middle of its band, on either side, in wavelengths.
 const ASIDE: f64 = 0.22;
-/// Centre lines are at least so far from each other, in wavelengths; nearer ones follow the same band.
+/// Least distance of centre lines, in wavelengths; closer ones follow the same band.
 const APART: f64 = 0.4;
-/// Shorter lines are no bands, in wavelengths.
+/// Least length of a line, in wavelengths; shorter ones are no bands.
 const SHORTEST: f64 = 0.8;
-/// Points that make less difference are left out, in wavelengths.
+/// Points whose removal moves the line by less than this are left out, in wavelengths.
 const TOLERANCE: f64 = 0.03;
-/// Most steps of one line: round a large picture many times.
+/// Most steps of one line: enough to go around a large picture many times.
 const MOST_STEPS: usize = 20_000;
 
-/// The centre lines of all bands above `level`; `width` says how wide they are at a place, px.
+/// The centre lines of all bands above `level`; `width` gives their width at a place, px.
 #[must_use]
 pub fn all(field: &Field, level: f32, wavelength: f64, width: impl Fn([f64; 2]) -> f64) -> Vec<Path> {
     let mut tracer = Tracer::new(field, level, wavelength);
@@ -101,7 +101,7 @@ struct Tracer {
 impl Tracer {
     fn new(field: &Field, level: f32, wavelength: f64) -> Self {
         let extent = field.extent();
-        // Squares of half a wavelength: directions change over longer ways.
+        // Squares of half a wavelength: directions change over longer distances.
         let lattice = extent.map(|side| (2.0 * side / wavelength).ceil().max(1.0) as usize);
         let directions = Directions::measure(field, wavelength);
         let square = |point: [f64; 2]| square(point, extent, lattice);
@@ -116,7 +116,7 @@ impl Tracer {
         Self { surface: Spline::new(field), extent, level, wavelength, directions, lattice, taken }
     }
 
-    /// The line through the band at `place`; `None` where there is none, or one that was followed.
+    /// The line through the band at `place`; `None` if there is no band, or one that has been followed already.
     fn trace(&mut self, place: [f64; 2]) -> Option<Vec<[f64; 2]>> {
         if self.surface.at(place) <= self.level {
             return None;
@@ -161,7 +161,7 @@ impl Tracer {
             }
             let way = [0, 1].map(|k| next[k] - at[k]);
             let length = (way[0] * way[0] + way[1] * way[1]).sqrt();
-            // Turned back by a fork or an end.
+            // Turned back at a fork or an end.
             if length < 0.3 * step || way[0] * heading[0] + way[1] * heading[1] <= 0.0 {
                 break;
             }

@@ -1,8 +1,8 @@
 //! Marks of several colours on one ground.
 //!
-//! One channel cannot tell them from the ground where this lies between two of them, or one of them between the ground and
-//! another. There the colours of the picture are found one by one (maxima of their density), the commonest is the ground, and a
-//! colour is as much of a mark as it is nearer to one of them than to the ground:
+//! A single channel cannot separate them from the ground if the ground lies between two of them, or one of them between the ground
+//! and another. In this case the colours of the picture are found one by one (maxima of their density). The commonest is the
+//! ground. The share of mark in a colour follows from its distances:
 //!
 //! p = d_g ÷ (d_g + min d_m)
 //!
@@ -16,23 +16,23 @@ use super::light::Light;
 
 /// Side of a bin of colours, OKLab.
 const BIN: f32 = 0.02;
-/// Bins of L, which is 0..1 and brighter where light is divided out, and of a and b, −0.4..0.4.
+/// Number of bins of L, which is 0..1 and higher where light is divided out, and of a and b, −0.4..0.4.
 const BINS: [usize; 3] = [60, 40, 40];
-/// What the first bins begin with.
+/// Lower limits of the first bins.
 const LOWEST: [f32; 3] = [0.0, -0.4, -0.4];
 /// Passes of a mean over three bins each way, which smooth the density: together a Gaussian of σ = 0.03.
 const PASSES: usize = 3;
 /// Colours nearer than this are one, OKLab.
 const APART: f32 = 0.12;
-/// Between two colours the density falls below this share of that of the rarer one: in shaded marks it does not.
+/// The density between two colours falls below this share of that of the rarer one; in shaded marks it does not.
 const VALLEY: f32 = 0.5;
-/// The rarest colour of marks, as a share of all cells whose surroundings have one colour.
+/// Least share of a colour of marks among all cells whose surroundings have one colour.
 const RAREST: f64 = 0.02;
-/// The ground covers this share of the picture at least: where it covers less, nobody can say which colour it is.
+/// Least share of the picture that the ground covers: with less, the ground cannot be identified.
 const GROUND: f64 = 0.5;
-/// Change of colour over a cell at which a cell counts half: edges are no colours of their own. OKLab.
+/// Change of colour over a cell at which the weight of a cell is one half: edges have no colours of their own. OKLab.
 const CHANGE: f32 = 0.02;
-/// Cells that are looked at.
+/// Number of cells that are sampled.
 const ENOUGH: usize = 1 << 17;
 
 /// The colours of a picture in full light, OKLab.
@@ -43,16 +43,16 @@ pub struct MarkColours {
     marks: Vec<[f32; 3]>,
 }
 
-/// A cell that is looked at.
+/// A sampled cell.
 struct Sample {
     colour: [f32; 3],
-    /// The less, the more the colour changes around it.
+    /// Weight: it decreases with the change of colour around the cell.
     weight: f32,
 }
 
 impl MarkColours {
-    /// The colours of ground and marks where there are three and more, and one of them covers most; `share` is what the one channel
-    /// says of each cell: 0 = one phase, 1 = the other.
+    /// The colours of ground and marks if there are at least three, and one of them covers most; `share` is the single channel's
+    /// value of each cell: 0 = ground, 1 = marks, or the reverse.
     #[must_use]
     pub fn of(lab: &Lab, share: &[f32]) -> Option<Self> {
         let cells = looked_at(lab.size);
@@ -71,7 +71,7 @@ impl MarkColours {
         Some(Self { light, ground: ground.colour, marks })
     }
 
-    /// How much of a mark each cell is: 0 = ground, 1 = a mark.
+    /// The share of mark in each cell: 0 = ground, 1 = a mark.
     #[must_use]
     pub fn shares(&self, lab: &Lab) -> Vec<f32> {
         (0..lab.planes[0].len())
@@ -97,7 +97,7 @@ fn distance(a: [f32; 3], b: [f32; 3]) -> f32 {
     (0..3).map(|k| (a[k] - b[k]) * (a[k] - b[k])).sum::<f32>().sqrt()
 }
 
-/// Some cells of all rows and columns but the outermost.
+/// Some cells of all rows and columns except the outermost.
 fn looked_at([width, height]: [usize; 2]) -> Vec<usize> {
     let step = (width * height / ENOUGH + 1) | 1;
     let is_inner = |cell: &usize| {
@@ -131,7 +131,7 @@ fn sample(lab: &Lab, light: &Light, cell: usize) -> Sample {
     Sample { colour: colour.map(|value| value * lit), weight: 1.0 / (1.0 + change) }
 }
 
-/// How often colours are.
+/// The density of colours.
 struct Density {
     bins: Vec<f32>,
 }
@@ -155,12 +155,12 @@ impl Density {
         self.bins[bin(colour)]
     }
 
-    /// The bins where it is largest among all within [`APART`], the largest first, as colours.
+    /// The bins where the density is largest among all within [`APART`], the largest first, as colours.
     fn peaks(&self) -> Vec<[f32; 3]> {
         let mut order: Vec<usize> = (0..self.bins.len()).filter(|bin| self.bins[*bin] > 0.0).collect();
         order.sort_by(|a, b| self.bins[*b].total_cmp(&self.bins[*a]).then(a.cmp(b)));
         let mut peaks: Vec<[f32; 3]> = Vec::new();
-        // Few are enough: what is rarer than a thousandth of the commonest colour is no colour of a texture.
+        // Few are enough: a colour rarer than a thousandth of the commonest one is no colour of a texture.
         let least = order.first().map_or(0.0, |first| self.bins[*first] / 1000.0);
         for colour in order.iter().take_while(|bin| self.bins[**bin] > least).map(|bin| middle(*bin)) {
             if peaks.iter().all(|peak| self.has_valley(*peak, colour)) {
@@ -170,7 +170,7 @@ impl Density {
         peaks
     }
 
-    /// Whether two colours are apart and what lies between them is rarer than both.
+    /// Whether two colours are apart and the density between them is lower than at both.
     fn has_valley(&self, common: [f32; 3], rare: [f32; 3]) -> bool {
         const STEPS: usize = 16;
         let between = |k: usize| {
@@ -194,7 +194,7 @@ fn middle(bin: usize) -> [f32; 3] {
     [0, 1, 2].map(|k| LOWEST[k] + (places[k] as f32 + 0.5) * BIN)
 }
 
-/// Means over three bins along an axis of `count` bins that are `stride` apart; beyond the ends there is nothing.
+/// Means over three bins along an axis of `count` bins that are `stride` apart; bins beyond the ends are empty.
 fn smoothed(bins: &[f32], count: usize, stride: usize) -> Vec<f32> {
     let mean = |at: usize| {
         let place = at / stride % count;
@@ -208,7 +208,7 @@ fn smoothed(bins: &[f32], count: usize, stride: usize) -> Vec<f32> {
 /// Cells of one colour.
 struct Group {
     colour: [f32; 3],
-    /// Share of the cells, those at edges counting less.
+    /// Share of the cells; cells at edges have less weight.
     cells: f64,
 }
 
@@ -256,7 +256,7 @@ mod tests {
         Lab { size: SIZE, factor: 1, planes: [0, 1, 2].map(|k| cells.iter().map(|cell| cell[k]).collect()) }
     }
 
-    /// What a channel says that sees the first colour alone.
+    /// The values of a channel that shows only the first colour.
     fn one_channel() -> Vec<f32> {
         let seen = discs([MARKS[0], GROUND_COLOUR]);
         let (low, high) = (GROUND_COLOUR[0], MARKS[0][0]);

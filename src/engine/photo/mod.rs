@@ -1,16 +1,16 @@
 //! Photograph → marks, regions and colours of a sketch.
 //!
 //! ```text
-//!  file ─▶ raster (turned upright, cropped, flattened) ─▶ lab ─▶ channel ─▶ scale ─▶ phases ─▶ edge ─▶ watershed
-//!                                                                                                      │
-//!            sketch (layers, regions, marks, stops) ◀─ reading: spots, stripes, or neither and why ◀───┘
+//!  file ─▶ raster (rotated upright, cropped, flattened) ─▶ lab ─▶ channel ─▶ scale ─▶ ink_shares ─▶ edge ─▶ watershed
+//!                                                                                                           │
+//!            sketch (layers, regions, marks, stops) ◀─ reading: spots, stripes, or neither and why ◀────────┘
 //! ```
 //!
-//! Uneven light, noise, blur and compression are expected: a place is ink or ground by comparison with what is around it,
+//! Uneven light, noise, blur and compression are expected: a place counts as mark or ground by comparison with its surroundings,
 //! never by a tone of the whole picture. Everything is measured on a working copy that may have fewer px than the photograph;
 //! results are px of the photograph.
 //!
-//! Nothing depends on the number of threads: rows are computed independently, and sums are taken in their order.
+//! Results do not depend on the number of threads: rows are computed independently, and sums are taken in their order.
 
 mod channel;
 mod coarse;
@@ -21,6 +21,7 @@ mod edge;
 mod edge_blur;
 mod foreign;
 mod heights;
+mod ink_shares;
 mod lab;
 mod layers;
 mod light;
@@ -28,7 +29,6 @@ mod lines;
 mod mark_colours;
 mod opaque;
 mod parts;
-mod phases;
 mod raster;
 mod reading;
 mod regions;

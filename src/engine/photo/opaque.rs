@@ -1,4 +1,4 @@
-//! A decoded file → px without opacity: what is transparent is ground.
+//! Converts a decoded file to px without opacity: transparent parts become ground.
 
 use image::RgbaImage;
 
@@ -8,15 +8,16 @@ use crate::colour::{linear_light, oklab_of_light};
 
 /// px with at least this opacity, of 255, are drawn; the others are ground.
 const DRAWN: u8 = 128;
-/// Less ground than this share of the px is none: a border that a program has left.
+/// Least share of ground px; with less, the transparent px are a border that a program has left.
 const LITTLE: f64 = 0.001;
-/// A thing that is cut out has most of the px in one part, in which colours deviate by so much, OKLab: its marks differ from its ground.
+/// An object that is cut out has at least this share of the px in one part, and a deviation of colours, OKLab, of at least this: its marks
+/// differ from its ground.
 const CUT_OUT: f64 = 0.5;
 const VARIED: f64 = 0.04;
 
 impl Raster {
-    /// The px of a decoded file. What is transparent lies on `ground`, or, where none is known, on what sets the drawn px off: on white or
-    /// black where they are marks, on their own commonest colour where they are a thing with marks on it, cut out.
+    /// The px of a decoded file. Transparent parts are put on `ground`, or, if none is known, on a colour that contrasts with the
+    /// drawn px: on white or black if these are marks, on their own commonest colour if they are a cut-out object with marks on it.
     #[must_use]
     pub fn opaque(decoded: Decoded, ground: Option<[u8; 3]>) -> Self {
         let size = [decoded.image.width() as usize, decoded.image.height() as usize];
@@ -36,7 +37,7 @@ impl Raster {
     }
 }
 
-/// The colour that is put beneath the drawn px.
+/// The colour that is put behind the drawn px.
 fn ground_of(rgba: &RgbaImage) -> [u8; 3] {
     const WHITE: [u8; 3] = [255; 3];
     let drawn: Vec<[u8; 4]> = rgba.pixels().map(|px| px.0).filter(|px| px[3] >= DRAWN).collect();
@@ -73,7 +74,7 @@ fn median(drawn: &[[u8; 4]], channel: usize) -> u8 {
     counts.iter().position(reaches).unwrap_or_default() as u8
 }
 
-/// px of the largest part of the drawn px that hangs together.
+/// Number of px of the largest connected part of the drawn px.
 fn largest_part(rgba: &RgbaImage) -> usize {
     let [width, height] = [rgba.width() as usize, rgba.height() as usize];
     let mut open: Vec<bool> = rgba.pixels().map(|px| px.0[3] >= DRAWN).collect();
@@ -115,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_transparent_sets_the_marks_off() {
+    fn transparent_parts_contrast_with_the_marks() {
         let dot = |x: u32, y: u32| (x % 20).abs_diff(10) + (y % 20).abs_diff(10) < 6;
         let marks =
             |colour: u8| raster(move |x, y| if dot(x, y) { [colour, colour, colour, 255] } else { [0; 4] });
@@ -124,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn around_a_thing_that_is_cut_out_lies_its_own_ground() {
+    fn a_cut_out_object_is_surrounded_by_its_own_ground() {
         let cut_out = raster(|x, y| match (x, y) {
             _ if x.abs_diff(30) + y.abs_diff(30) > 28 => [255, 255, 255, 0],
             _ if x % 9 < 3 && y % 9 < 3 => [40, 20, 10, 255],

@@ -1,22 +1,21 @@
-//! What each cell of a photograph was taken for.
+//! The classification of each cell of a photograph.
 
 use super::reading::Reading;
 use super::watershed::component;
 use crate::measure::Picture;
 
-/// What a cell belongs to.
+/// The class of a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// The ground, or what is too small for a mark.
+    /// The ground, or a region too small for a mark.
     Ground,
-    /// A spot that the border cuts: a neighbour of others, but not measured.
+    /// A spot that the border cuts: it is a neighbour of others, but not measured.
     Cut,
-    /// A mark of this layer, the lowest 0.
+    /// A mark of this layer, 0 = the lowest.
     Mark(u8),
 }
 
-/// What the cells of [`Reading::segmentation`] were taken for; spots of less than the area `between` (px²) are those of the
-/// layer 1.
+/// The classes of the cells of [`Reading::segmentation`]; spots with an area below `between` (px²) belong to layer 1.
 ///
 /// Areas are those of whole cells: a region whose area is within a cell or two of the smallest may be shown on the wrong side.
 #[must_use]

@@ -9,7 +9,7 @@ pub struct Raster {
     pub size: [usize; 2],
     /// Red, green, blue (sRGB) of each px, row by row from the top.
     pub rgb: Vec<u8>,
-    /// px an inch, where the file says it.
+    /// px an inch, if the file states it.
     pub dpi: Option<f64>,
 }
 
@@ -30,7 +30,7 @@ impl Raster {
         [self.rgb[at], self.rgb[at + 1], self.rgb[at + 2]]
     }
 
-    /// The part that `crop` names; `None` where it has no px, or some outside of the picture.
+    /// The part that `crop` names; `None` if it has no px, or some outside of the picture.
     #[must_use]
     pub fn cropped(&self, crop: Crop) -> Option<Self> {
         let fits = |axis: usize| {
@@ -48,8 +48,8 @@ impl Raster {
         Some(Self { size: crop.size, rgb: rows.flat_map(row).copied().collect(), dpi: self.dpi })
     }
 
-    /// The picture whose px at (x + ½, y + ½) lies at `place` in this one, px; between px by bilinear interpolation, beyond
-    /// the border as on it.
+    /// The picture whose px at (x + ½, y + ½) lies at `place` in this one, px; by bilinear interpolation between px, and with the
+    /// px of the border beyond it.
     #[must_use]
     pub fn warped(&self, size: [usize; 2], place: impl Fn([f64; 2]) -> [f64; 2] + Sync) -> Self {
         let mut rgb = vec![0; 3 * size[0] * size[1]];

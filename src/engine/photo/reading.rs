@@ -1,4 +1,4 @@
-//! What a photograph shows, in numbers.
+//! The marks of a photograph, in numbers.
 
 use super::segmentation::{Segmentation, segment};
 use super::verdict::{self, CONTRAST, Neither};
@@ -6,18 +6,18 @@ use super::{Raster, smallest, watershed};
 use crate::grid::Field;
 use crate::measure::{Census, Picture, Spot, census, census_of_at_least, check_picture, picture_of};
 
-/// What a photograph shows.
+/// The marks of a photograph.
 #[derive(Clone, Debug)]
 pub struct Reading {
     /// Ink and ground; spots that touch are cut apart.
     pub segmentation: Segmentation,
-    /// Spots or stripes, and their attributes; of spots that are no ellipses with their raggedness.
+    /// Spots or stripes, and their attributes; spots that are no ellipses with their raggedness.
     pub picture: Picture,
-    /// The separate marks, cut ones too.
+    /// The separate marks, also those cut by the border.
     pub spots: Vec<Spot>,
-    /// What is smaller is no mark, px².
+    /// Least area of a mark, px².
     pub least: f64,
-    /// Why it is no texture, where it is none.
+    /// The reason why it is not a texture, if it is none.
     pub neither: Option<Neither>,
 }
 
@@ -31,34 +31,35 @@ impl Reading {
     }
 }
 
-/// Allowed levels: beyond, what is seen is the noise of ground or marks.
+/// Allowed thresholds: beyond, only the noise of ground or marks is visible.
 pub const LEVELS: [f32; 2] = [0.05, 0.95];
 
-/// What counts as a mark; the default leaves it to the photograph.
+/// Limits for marks; by default they follow from the photograph.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Limits {
-    /// The level of the marks' edges, between 0 (ground) and 1 (marks); `None` = about where the photograph changes most.
+    /// The threshold of the marks' edges, between 0 (ground) and 1 (marks); `None` = near the value at which the photograph changes
+    /// most.
     pub level: Option<f32>,
     /// The area of the smallest mark, px²; `None` = 5 % of the usual one.
     pub smallest: Option<f64>,
-    /// Many specks beside the marks do not make these noise.
+    /// Whether many specks beside the marks are accepted, and not taken for noise.
     pub among_specks: bool,
 }
 
 /// Reads a photograph, see [`segment`].
 ///
 /// # Errors
-/// There are no marks at all. Where there are some that are no texture, [`Reading::neither`] says so.
+/// There are no marks at all. If there are marks that do not form a texture, [`Reading::neither`] gives the reason.
 pub fn read(raster: &Raster, invert: bool) -> Result<Reading, Neither> {
-    // It always goes on.
+    // This call is never cancelled.
     let segmentation = segment(raster, invert, &|_| true).ok_or(Neither::Noise)?;
     read_segmented(segmentation, &Limits::default())
 }
 
-/// Reads what was segmented.
+/// Reads the marks of a segmentation.
 ///
 /// # Errors
-/// As [`read`].
+/// Those of [`read`].
 pub fn read_segmented(mut segmentation: Segmentation, limits: &Limits) -> Result<Reading, Neither> {
     if segmentation.contrast <= 0.0 {
         return Err(Neither::Contrast { contrast: 0.0 });
@@ -94,7 +95,7 @@ fn pattern(segmentation: Segmentation, limits: &Limits) -> Result<Reading, Neith
 /// The marks above `level`.
 fn counted(field: &Field, level: f32, limits: &Limits) -> Census {
     match limits.smallest {
-        // What is smaller is known to be no mark: many such specks do not make the others noise.
+        // Smaller regions are known to be no marks: even many such specks do not turn the others into noise.
         Some(least) => Census { specks: 0, ..census_of_at_least(field, level, least) },
         None if limits.among_specks => Census { specks: 0, ..census(field, level) },
         None => census(field, level),

@@ -1,4 +1,4 @@
-//! How many regions a photograph needs: as few as explain how its marks change.
+//! The number of regions that a photograph needs: as few as explain the variation of its marks.
 //!
 //! For each number of columns and rows the mean attributes of four fifths of the marks, by region, predict those of the last
 //! fifth, as the region map of a document does (bilinear between the regions' centres). Of all that predict nearly as well as
@@ -10,22 +10,22 @@ const MOST: usize = 4;
 const MARKS: usize = 4;
 /// Parts into which the marks are divided.
 const FOLDS: usize = 5;
-/// A mean square error within this factor of the least is nearly as good,
+/// A mean square error within this factor of the least one counts as nearly as good,
 const NEARLY: f64 = 1.1;
-/// and so is one that is larger by this: 6 % of the area, or 2° of the direction of stripes, which the growth itself misses.
+/// and so does one that is larger by this: 6 % of the area, or 2° of the direction of stripes, which are the errors of a growth.
 const EXACT: f64 = 0.004;
 
-/// A mark, or a piece of stripes: where it is, as a share of width and height, and what predicts well where its difference is
-/// small. Of spots: ln area, and −ln aspect times (cos 2θ, sin 2θ); of stripes: ln width, cos 2θ, sin 2θ.
+/// A mark, or a piece of stripes: its position, as a share of width and height, and numbers whose differences are errors of a
+/// prediction. For spots: ln area, and −ln aspect times (cos 2θ, sin 2θ); for stripes: ln width, cos 2θ, sin 2θ.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample {
     /// 0..1 along x and y.
     pub place: [f64; 2],
-    /// Numbers of which means make sense.
+    /// Numbers that can be averaged.
     pub value: [f64; 3],
 }
 
-/// Columns and rows.
+/// The fewest columns and rows.
 #[must_use]
 pub fn fewest(samples: &[Sample]) -> [usize; 2] {
     let mut layouts: Vec<([usize; 2], f64)> = Vec::new();
@@ -75,7 +75,7 @@ fn error(samples: &[Sample], layout: [usize; 2]) -> f64 {
     sum / samples.len().max(1) as f64
 }
 
-/// The mean of each region; of one without samples that of all.
+/// The mean of each region; for a region without samples that of all.
 fn means<'a>(samples: impl Iterator<Item = &'a Sample>, layout: [usize; 2]) -> Vec<[f64; 3]> {
     let mut sums = vec![([0.0; 3], 0.0); layout[0] * layout[1]];
     let mut all = ([0.0; 3], 0.0_f64);
@@ -89,7 +89,7 @@ fn means<'a>(samples: impl Iterator<Item = &'a Sample>, layout: [usize; 2]) -> V
     sums.iter().map(|sum| if sum.1 > 0.0 { mean(sum) } else { mean(&all) }).collect()
 }
 
-/// Bilinear between the centres of the regions, beyond the outer ones as at them.
+/// Bilinear interpolation between the centres of the regions; constant beyond the outer ones.
 fn predicted(means: &[[f64; 3]], [columns, rows]: [usize; 2], place: [f64; 2]) -> [f64; 3] {
     let between = |place: f64, count: usize| {
         let at = (place * count as f64 - 0.5).clamp(0.0, count as f64 - 1.0);
@@ -109,7 +109,7 @@ fn predicted(means: &[[f64; 3]], [columns, rows]: [usize; 2], place: [f64; 2]) -
 mod tests {
     use super::*;
 
-    /// 12 × 12 marks whose ln area is this of the place, with some noise.
+    /// 12 × 12 marks with this ln area at their place, with some noise.
     fn marks(area: impl Fn([f64; 2]) -> f64) -> Vec<Sample> {
         let noise = |k: usize| 0.1 * ((12.9898 * k as f64).sin() * 43758.5453).rem_euclid(1.0) - 0.05;
         let place = |k: usize| [(k % 12) as f64 / 12.0 + 0.04, (k / 12) as f64 / 12.0 + 0.04];
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn marks_that_grow_to_the_right_need_columns_alone() {
+    fn marks_that_get_larger_to_the_right_need_columns_alone() {
         let [columns, rows] = fewest(&marks(|[x, _]| 5.0 + x));
         assert!(columns > 1 && rows == 1, "{columns} {rows}");
     }

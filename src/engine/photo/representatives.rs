@@ -1,7 +1,7 @@
-//! Many spots → the few that stand for them in a sketch.
+//! The few spots that represent many in a sketch.
 //!
-//! Of all groups of a spot and its nearest, the one is taken whose attributes are nearest to those of the region. It is then
-//! moved, turned and resized until they are the region's.
+//! Of all groups of a spot and its nearest neighbours, the one is taken whose attributes are closest to those of the region. It is
+//! then moved, rotated and resized until they are equal.
 
 use crate::attributes::Spots;
 use crate::attributes::spacing::mean_spacing;
@@ -14,13 +14,14 @@ const GROUP: usize = 7;
 const GROUPS: usize = 100;
 /// Rounds of corrections: each leaves less than a tenth of the error.
 const ROUNDS: usize = 4;
-/// Spots stay this share of the region's sides inside it.
+/// Least distance of spots from the border of their region, as a share of its sides.
 const INSET: f64 = 0.02;
-/// Spots are moved apart to this, px: at 2 those that are kept stand alone, and moves leave some of the way. Not tuned.
+/// Distance to which spots are moved apart, px: at 2 the spots that are kept are separate, and moves fall short a little. Not
+/// tuned.
 const APART: f64 = 3.0;
-/// Rounds in which they are moved apart. Not tuned: the last ones move hardly any.
+/// Rounds in which they are moved apart. Not tuned: the last ones hardly move any.
 const PARTED: usize = 20;
-/// Aspects stay below: an ellipse of aspect 1 has no direction to turn.
+/// Largest aspect: an ellipse of aspect 1 has no direction that could be rotated.
 const ROUND: f64 = 0.999;
 
 /// A rectangle of the canvas, px.
@@ -39,7 +40,7 @@ pub fn representatives(spots: &[Ellipse], wanted: &Spots, bounds: Bounds) -> Vec
     adjusted(group, wanted, bounds)
 }
 
-/// The group with the least difference from what is wanted.
+/// The group with the least difference from the wanted properties.
 fn most_typical(spots: &[Ellipse], wanted: &Spots) -> Vec<Ellipse> {
     let groups = spots.iter().step_by(spots.len().div_ceil(GROUPS)).map(|center| {
         let far = |spot: &Ellipse| {
@@ -57,8 +58,8 @@ fn most_typical(spots: &[Ellipse], wanted: &Spots) -> Vec<Ellipse> {
     scored.min_by(|a, b| a.0.total_cmp(&b.0)).map_or_else(Vec::new, |(_, group)| group)
 }
 
-/// Sum of squares of how much a group's attributes differ: of logarithms of area and spacing, of the aspect, of the turn as far
-/// as the shape has a direction.
+/// Sum of squares of the differences in a group's attributes: in the logarithms of area and spacing, in the aspect, and in the
+/// angle, weighted by how much the shape has a direction.
 fn difference(group: &[Ellipse], wanted: &Spots) -> f64 {
     let Some(found) = Spots::measure(group) else { return f64::INFINITY };
     let ratio = |found: f64, wanted: f64| libm::log(found / wanted);
@@ -92,7 +93,7 @@ fn adjusted(mut group: Vec<Ellipse>, wanted: &Spots, bounds: Bounds) -> Vec<Elli
     group
 }
 
-/// Moves spots apart that overlap, as a few of dense ones do when their distances are made those of all.
+/// Moves overlapping spots apart; a few dense ones overlap after their distances have been adjusted.
 fn part(group: &mut [Ellipse]) {
     let canvas = Canvas { size: [f64::MAX; 2], edges: Edges::Closed };
     for _ in 0..PARTED {
@@ -112,7 +113,7 @@ fn part(group: &mut [Ellipse]) {
     }
 }
 
-/// Moves the group into the bounds as a whole; what does not fit is put on them.
+/// Moves the group into the bounds as a whole; spots that do not fit are put on the bounds.
 fn inside(group: &mut [Ellipse], bounds: Bounds) {
     for k in 0..2 {
         let inset = INSET * (bounds.high[k] - bounds.low[k]);

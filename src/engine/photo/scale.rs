@@ -1,8 +1,8 @@
-//! How large the marks of a picture are: the scale at which it varies most.
+//! The size of the marks of a picture: the scale at which it varies most.
 //!
-//! D_σ = G_{kσ} ∗ c − G_σ ∗ c is nearly (k − 1)·σ²·∇²G_σ ∗ c, which a wave of the length λ = √2·π·σ excites most. Of the mean
-//! of D² over the picture, as a function of σ, the highest peak is taken: noise of single px and light that falls off have
-//! none, they are largest at the ends.
+//! D_σ = G_{kσ} ∗ c − G_σ ∗ c is nearly (k − 1)·σ²·∇²G_σ ∗ c, which responds most to a wave of the length λ = √2·π·σ. The scale is
+//! the highest peak of the mean of D² over the picture, as a function of σ. Noise of single px and light that falls off have no
+//! peak: their values are largest at the ends.
 //!
 //! T. Lindeberg, "Feature detection with automatic scale selection", IJCV 30 (1998), section 3.
 
@@ -11,14 +11,14 @@ use crate::grid::blur::gaussian;
 
 /// λ ÷ σ at the peak: √2·π.
 const WAVELENGTH: f64 = std::f64::consts::SQRT_2 * std::f64::consts::PI;
-/// The finest blur of an octave, cells. Below it the cells are too coarse for a Gaussian.
+/// The finest blur of an octave, cells. For a finer one the cells are too coarse for a Gaussian.
 const SIGMA: f64 = 1.2;
-/// Blurs an octave. Peaks of textures are an octave wide and more.
+/// Blurs per octave. Peaks of textures are at least an octave wide.
 const STEPS: usize = 4;
-/// Coarsest σ, as a share of the shorter side: of three wavelengths along it.
+/// Coarsest σ, as a share of the shorter side: for three wavelengths along it.
 const COARSEST: f64 = 1.0 / (3.0 * WAVELENGTH);
 
-/// The wavelength of what a channel on `size` cells shows most, cells; where no scale stands out, that of the strongest.
+/// The dominant wavelength of a channel on `size` cells, cells; if there is no peak, that of the largest value.
 #[must_use]
 pub fn wavelength(channel: &[f32], size: [usize; 2]) -> f64 {
     let scales = energies(channel, size);
@@ -29,7 +29,7 @@ pub fn wavelength(channel: &[f32], size: [usize; 2]) -> f64 {
         let strongest = scales.iter().max_by(|a, b| a.1.total_cmp(&b.1));
         return WAVELENGTH * strongest.map_or(SIGMA, |(sigma, _)| *sigma);
     };
-    // The top of the parabola through the peak and its neighbours, over log σ.
+    // The vertex of the parabola through the peak and its neighbours, over log σ.
     let [low, top, high] = [peak - 1, peak, peak + 1].map(|k| scales[k].1);
     let bend = low - 2.0 * top + high;
     let shift = if bend < 0.0 { 0.5 * (low - high) / bend } else { 0.0 };
@@ -53,7 +53,7 @@ fn energies(channel: &[f32], size: [usize; 2]) -> Vec<(f64, f64)> {
             scales.push((octave * sigma * ratio.sqrt(), energy));
             (before, sigma) = (blurred, next);
         }
-        // Twice the blur on half the cells is the same blur.
+        // Twice the blur on half as many cells is an equal blur.
         (finest, size) = halved(&before, size);
         octave *= 2.0;
     }

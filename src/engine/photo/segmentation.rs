@@ -1,59 +1,59 @@
-//! A photograph → its marks as a field: 0 = ground, 1 = marks, and the level of their edges.
+//! Segments a photograph into its marks as a field: 0 = ground, 1 = marks, and the threshold of their edges.
 
 use std::sync::Arc;
 
+use super::ink_shares::{InkShares, ink_shares};
 use super::lab::Lab;
 use super::mark_colours::MarkColours;
-use super::phases::{Phases, phases};
 use super::{Raster, channel, edge, scale};
 use crate::grid::blur::gaussian;
 use crate::grid::{Edges, Field};
 use crate::measure::{self, Picture};
 
-/// What was found of ink and ground.
+/// A segmentation of marks and ground.
 #[derive(Clone, Debug)]
 pub struct Segmentation {
     /// 0 = ground, 1 = marks, not clipped; on cells of whole px of the photograph.
     pub field: Field,
-    /// The level of the marks' edges in it.
+    /// The threshold of the marks' edges in it.
     pub level: f32,
-    /// How far apart marks are, px.
+    /// Distance from one mark to the next, px.
     pub wavelength: f64,
     /// The usual difference of marks and ground, OKLab.
     pub contrast: f64,
-    /// What differs within marks and within ground, as a share of the contrast: root mean square.
+    /// Deviations within marks and within ground, as a share of the contrast: root mean square.
     pub uneven: f64,
-    /// The working copy; `None` of a pattern, which has no colours.
+    /// The working copy; `None` for a pattern, which has no colours.
     pub lab: Option<Arc<Lab>>,
-    /// Whether the picture is a pattern whose level is known: which parts of it are marks need not be found out.
+    /// Whether the picture is a pattern whose threshold is known: its marks need not be found.
     pub is_pattern: bool,
 }
 
-/// Most cells of the copy on which the wavelength is looked for: of a photograph of 24 Mpx waves of 16 px can still be seen.
+/// Most cells of the copy in which the wavelength is sought: in a photograph of 24 Mpx waves of 16 px are still visible.
 const SEEN: usize = 4 << 20;
-/// Cells to which a photograph is reduced as far as its marks allow.
+/// Number of cells to which a photograph is reduced if its marks allow it.
 const ENOUGH: usize = 1 << 20;
-/// Most cells, whatever the marks are: larger copies take more than 5 s and 1 GB.
+/// Most cells, for any marks: larger copies take more than 5 s and 1 GB.
 const MOST: usize = 8 << 20;
-/// Cells a wavelength that the working copy keeps where the photograph has them: areas of round spots are then within 1 %.
+/// Cells per wavelength that the working copy keeps if the photograph has them: areas of round spots are then accurate to 1 %.
 const FINE: f64 = 16.0;
-/// Cells a wavelength that is kept in the copy on which only kind and spacing are found.
+/// Cells per wavelength in the copy from which only kind and spacing are found.
 const COARSE: f64 = 8.0;
 /// Standard deviation of the first high pass, as a share of the shorter side: light varies more slowly.
 const LIGHT: f64 = 1.0 / 12.0;
-/// Standard deviation of the widest blur before the segmentation ÷ wavelength: it takes 3 % off round spots.
+/// Standard deviation of the widest blur before the segmentation ÷ wavelength: it reduces round spots by 3 %.
 const WIDEST: f64 = 0.06;
-/// Noise is blurred until this share of the contrast is left.
+/// Noise is blurred until only this share of the contrast is left.
 const NOISE: f64 = 0.04;
-/// The found spacing may differ from the first wavelength by this factor; what differs more is no spacing of marks.
+/// Largest factor between the measured spacing and the first wavelength; with a larger one it is not a spacing of marks.
 const TURN: f64 = 3.0;
-/// Several colours of marks are taken where they leave less than this share of what is uneven on the one channel: of two dots of
-/// different colours about half is left, of marks and a ground that are shaded all of it.
+/// Several colours of marks are used if they leave less than this share of the deviations in the single channel: for two kinds of
+/// dots of different colours about half is left, for shaded marks and a shaded ground all of it.
 const EVENER: f64 = 0.7;
-/// Where the shares of ink and ground differ by less than this from ½, the marks are those that lie apart, or else the darker ones.
+/// If the shares of marks and ground differ by less than this from ½, the marks are the separate regions, or else the darker ones.
 const EVEN: f64 = 0.05;
 
-/// What the marks are taken to be.
+/// The kind of the marks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum MarkKind {
     /// Spots, which may be shaded.
@@ -63,8 +63,8 @@ enum MarkKind {
 }
 
 impl MarkKind {
-    /// Standard deviation of the least blur ÷ wavelength. Of spots any takes off area, 0.03 up to 8 % of that of narrow ones; straight
-    /// edges stay where they are, and noise along them makes them seem longer, which 0.04 halves.
+    /// Standard deviation of the least blur ÷ wavelength. For spots any blur reduces the area, 0.03 by up to 8 % for narrow ones.
+    /// Straight edges stay where they are, and noise along them lengthens their contour, which 0.04 halves.
     const fn least_blur(self) -> f64 {
         match self {
             Self::Spots => 0.0,
@@ -72,22 +72,22 @@ impl MarkKind {
         }
     }
 
-    /// How far from ½ to the steepest level the edge of marks is taken to be that repeat after `wavelength` cells. Measured on grown
-    /// textures. The area of spots is then off by 1.8 % (median) in clean pictures and 7.8 % in degraded ones; with all of the way by 3.7 and
-    /// 8.9 %, with none by 10–22 % of shaded ones. Of stripes of a few cells the steepest level says nothing: wood grain 4 px wide is
-    /// off by 13 % with 0.7 and by 8 % with none.
+    /// Position of the edge from ½ towards the steepest value, 0..1, for marks that repeat after `wavelength` cells. Measured on
+    /// grown textures. The error of the area of spots is then 1.8 % (median) in clean pictures and 7.8 % in degraded ones; with 1
+    /// it is 3.7 and 8.9 %, with 0 it is 10–22 % for shaded ones. For stripes of a few cells the steepest value is meaningless:
+    /// wood grain 4 px wide has an error of 13 % with 0.7 and of 8 % with 0.
     fn trust(self, wavelength: f64) -> f64 {
         if self == Self::Bands && wavelength < THIN { 0.0 } else { 0.7 }
     }
 }
 
-/// Cells a wavelength below which stripes are thin.
+/// Cells per wavelength below which stripes are thin.
 const THIN: f64 = 12.0;
 
-/// Segments a photograph. The marks are the phase that covers less, or the other one if `invert`. Of two that cover nearly the same
-/// they are the one that is spots on the other, or else the darker one.
+/// Segments a photograph. The marks cover less than the ground, or more if `invert`. If both cover nearly the same, the marks are
+/// the one that consists of spots, or else the darker one.
 ///
-/// Between its steps it asks `goes_on`, with the share that is done; `None` where it shall not go on.
+/// Between its steps it calls `goes_on` with the share that is done; the result is `None` if that returns false.
 #[must_use]
 pub fn segment(
     raster: &Raster,
@@ -100,7 +100,7 @@ pub fn segment(
     if !goes_on(0.35) {
         return None;
     }
-    // As few cells as are enough, where that leaves so many to a wavelength.
+    // As few cells as are enough, if that leaves enough of them per wavelength.
     let [least, most] = [reduced_to(raster, MOST), reduced_to(raster, ENOUGH)];
     let factor = |fine: f64| ((rough / fine) as usize).clamp(least, most);
     let (wavelength, kind) = first_look(&Lab::of(raster, factor(COARSE)), rough, invert);
@@ -108,27 +108,27 @@ pub fn segment(
         return None;
     }
     let lab = Lab::of(raster, factor(FINE));
-    let found = two_phases(&lab, wavelength / lab.factor as f64, kind, invert);
+    let found = segmented(&lab, wavelength / lab.factor as f64, kind, invert);
     Some(Segmentation { lab: Some(Arc::new(lab)), ..found })
 }
 
-/// The segmentation of a pattern whose level is known, such as one that dapple wrote; `raster` has its colours. Its wavelength is
-/// found with its marks.
+/// The segmentation of a pattern whose threshold is known, such as one that dapple wrote; `raster` has its colours. Its wavelength
+/// is found with its marks.
 #[must_use]
 pub fn known(field: Field, level: f32, raster: Option<&Raster>) -> Segmentation {
     let lab = raster.map(|raster| Arc::new(Lab::of(raster, 1)));
     Segmentation { field, level, wavelength: 0.0, contrast: 1.0, uneven: 0.0, lab, is_pattern: true }
 }
 
-/// The factor that leaves at most so many cells.
+/// The factor that leaves at most this number of cells.
 fn reduced_to(raster: &Raster, cells: usize) -> usize {
     let px = raster.size[0] * raster.size[1];
     (1..).find(|factor| px / (factor * factor) <= cells).unwrap_or(1)
 }
 
-/// The distance of the marks, px, and what they are, as they are found with the `rough` wavelength, px.
+/// The distance of the marks, px, and their kind, as found with the `rough` wavelength, px.
 fn first_look(lab: &Lab, rough: f64, invert: bool) -> (f64, MarkKind) {
-    let once = two_phases(lab, rough / lab.factor as f64, MarkKind::Bands, invert);
+    let once = segmented(lab, rough / lab.factor as f64, MarkKind::Bands, invert);
     let (spacing, kind) = match measure::picture(&once.field, once.level) {
         Some(Picture::Spots { got, .. }) => (got.spacing, MarkKind::Spots),
         Some(Picture::Stripes { got, .. }) => (Some(got.wavelength), MarkKind::Bands),
@@ -144,7 +144,7 @@ fn rough_wavelength(lab: &Lab) -> f64 {
 }
 
 /// Segments a working copy whose marks repeat after about `wavelength` cells.
-fn two_phases(lab: &Lab, wavelength: f64, kind: MarkKind, invert: bool) -> Segmentation {
+fn segmented(lab: &Lab, wavelength: f64, kind: MarkKind, invert: bool) -> Segmentation {
     let axis = channel::axis(lab, wavelength);
     let mut channel = channel::channel(lab, axis);
     let apart = deviation(&channel, &super::coarse::wide(&channel, lab.size, wavelength));
@@ -153,7 +153,7 @@ fn two_phases(lab: &Lab, wavelength: f64, kind: MarkKind, invert: bool) -> Segme
     let enough = noise / (2.0 * std::f64::consts::PI.sqrt() * NOISE * 2.0 * apart.max(f64::MIN_POSITIVE));
     let sigma = enough.clamp(kind.least_blur() * wavelength, WIDEST * wavelength);
     channel = gaussian(&channel, lab.size, sigma, Edges::Closed);
-    let Phases { mut share, mut contrast } = phases(&channel, lab.size, wavelength);
+    let InkShares { mut share, mut contrast } = ink_shares(&channel, lab.size, wavelength);
     if let Some(colours) = MarkColours::of(lab, &share) {
         let shares = colours.shares(lab);
         if unevenness(&shares) < EVENER * unevenness(&share) {
@@ -161,7 +161,7 @@ fn two_phases(lab: &Lab, wavelength: f64, kind: MarkKind, invert: bool) -> Segme
         }
     }
     let ink = share.iter().filter(|share| **share > 0.5).count() as f64 / share.len() as f64;
-    // The channel rises with the lightness: ink is the lighter one.
+    // The channel rises with the lightness: ink is the lighter part.
     let marks_are_ink = ink < 0.5 - EVEN;
     if marks_are_ink == invert {
         share.iter_mut().for_each(|share| *share = 1.0 - *share);
@@ -183,8 +183,8 @@ fn two_phases(lab: &Lab, wavelength: f64, kind: MarkKind, invert: bool) -> Segme
     }
 }
 
-/// Of two phases that cover nearly the same, the one that is spots on the other, or the other one if `invert`; the given one where
-/// both are spots, or neither.
+/// If marks and ground cover nearly equal areas, the one of them that consists of spots becomes the marks, or the others if
+/// `invert`; unchanged if both are spots, or neither.
 fn spots_of_either(field: Field, level: f32, invert: bool) -> (Field, f32) {
     let is_spotted =
         |field: &Field, level: f32| matches!(measure::picture(field, level), Some(Picture::Spots { .. }));
@@ -204,8 +204,8 @@ fn deviation(values: &[f32], slow: &[f32]) -> f64 {
 
 /// Standard deviation of the noise of single cells of a picture whose marks repeat after `wavelength` cells.
 ///
-/// A compressed picture has lost noise of single px, not that of squares of them: the larger of both counts, where marks are
-/// much larger than these.
+/// A compressed picture has lost the noise of single px, but not that of squares of them: the larger of both is used if marks are
+/// much larger than these squares.
 fn noise(values: &[f32], size: [usize; 2], wavelength: f64) -> f64 {
     let single = roughness(values, size);
     if wavelength < COARSE_ENOUGH || size.iter().any(|side| *side < 8) {
@@ -220,14 +220,14 @@ fn noise(values: &[f32], size: [usize; 2], wavelength: f64) -> f64 {
     single.max(2.0 * roughness(&squares, [width, height]))
 }
 
-/// Cells a wavelength from which on second differences of squares of 2 × 2 cells are those of noise.
+/// Cells per wavelength from which on second differences of squares of 2 × 2 cells are only noise.
 const COARSE_ENOUGH: f64 = 24.0;
 
-/// Standard deviation of the noise of single cells: of the median size of a second difference, which edges do not move.
+/// Standard deviation of the noise of single cells, from the median size of a second difference, on which edges have no effect.
 ///
 /// J. Immerkær, "Fast noise variance estimation", CVIU 64 (1996), with the median in place of the mean.
 fn roughness(values: &[f32], [width, height]: [usize; 2]) -> f64 {
-    /// Rows and columns between the cells that are looked at: enough of any picture.
+    /// Distance between the rows and columns that are sampled: enough for any picture.
     const STEP: usize = 3;
     /// Median of |x| of the normal distribution, and the norm of the weights.
     const SCALE: f64 = 0.674_49 * 6.0;
@@ -248,7 +248,7 @@ fn roughness(values: &[f32], [width, height]: [usize; 2]) -> f64 {
     f64::from(*median) / SCALE
 }
 
-/// How much marks and ground differ within themselves: root mean square of the shares' distance from 0 and 1.
+/// Deviations within marks and ground: root mean square of the shares' distance from 0 and 1.
 fn unevenness(share: &[f32]) -> f64 {
     let off = |share: &f32| f64::from(if *share > 0.5 { share - 1.0 } else { *share });
     (share.iter().map(|share| off(share) * off(share)).sum::<f64>() / share.len().max(1) as f64).sqrt()

@@ -1,4 +1,4 @@
-//! What was read in a photograph → regions, marks and colours of a sketch.
+//! Regions, marks and colours of a sketch from the marks of a photograph.
 
 use super::lines::{self, Band};
 use super::reading::Reading;
@@ -13,21 +13,21 @@ use crate::grid::Field;
 use crate::marks::{Ellipse, Mark};
 use crate::measure::{Directions, Picture, Regions, is_circle_covered, usual_area, widths};
 
-/// What a sketch should have; the default leaves all to the photograph.
+/// Options for a sketch; by default everything follows from the photograph.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Wanted {
     /// Columns and rows; `None` = as few as explain the marks.
     pub regions: Option<[usize; 2]>,
-    /// Sizes of spots that become layers of their own, 1 or 2; `None` = two where they are clearly apart.
+    /// Number of sizes of spots that become layers of their own, 1 or 2; `None` = two if they are clearly apart.
     pub layers: Option<usize>,
-    /// All marks, without regions, in place of representatives.
+    /// Whether it has all marks, without regions, in place of representatives.
     pub all_marks: bool,
 }
 
 /// A sketch of a photograph, px of the photograph.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sketch {
-    /// Columns and rows; `None` of all marks.
+    /// Columns and rows; `None` with all marks.
     pub regions: Option<[usize; 2]>,
     /// The lowest first.
     pub layers: Vec<FoundLayer>,
@@ -35,31 +35,31 @@ pub struct Sketch {
     pub between: Option<f64>,
 }
 
-/// Marks that belong together.
+/// Marks of one layer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FoundLayer {
-    /// What they are.
+    /// The name of its marks.
     pub name: &'static str,
     /// Ellipses, or paths.
     pub marks: Vec<Mark>,
-    /// How many whole marks they stand for.
+    /// Number of whole marks that they represent.
     pub found: usize,
-    /// The mean raggedness of their edges, from 1; `None` where they are smooth.
+    /// The mean raggedness of their edges, at least 1; `None` if they are smooth.
     pub raggedness: Option<f64>,
-    /// Colours, ascending by pattern value; empty of a pattern without any.
+    /// Colours, ascending by pattern value; empty for a pattern without colours.
     pub tones: Vec<Tone>,
 }
 
-/// Marks that cover a larger share are dense: spots of reaction and diffusion reach .28.
+/// Share of the picture from which on marks are dense: spots of reaction and diffusion reach 0.28.
 pub const DENSE: f64 = 0.3;
-/// The visible part of a mark that the border cuts is drawn where it has at least this share of the usual area. Not tuned.
+/// Least share of the usual area for the visible part of a mark that the border cuts to be drawn. Not tuned.
 const LEAST_PART: f64 = 0.15;
 /// The least aspect of such a part: narrower ones are slivers along the border. Not tuned.
 const NARROWEST_PART: f64 = 0.3;
-/// Ragged spots below this share of the usual area are fringes that others have lost.
+/// Ragged spots below this share of the usual area are fringes that have separated from others.
 const FRINGE: f64 = 0.2;
 
-/// A sketch of what was read; `size` is that of the photograph, px.
+/// A sketch of the marks of a photograph; `size` is that of the photograph, px.
 #[must_use]
 pub fn sketch(reading: &Reading, size: [usize; 2], wanted: &Wanted) -> Sketch {
     match reading.picture {
@@ -86,7 +86,7 @@ fn of_spots(reading: &Reading, size: [usize; 2], wanted: &Wanted, raggedness: Op
         (Some(1), _) | (None, Some(_)) => None,
         (layers, _) => layers::between_sizes(&areas, layers == Some(2)),
     };
-    // Ragged spots lose fringes, which are no spots of another size.
+    // Ragged spots lose fringes, which are not spots of a second size.
     let least = if raggedness.is_some() && between.is_none() {
         FRINGE * usual_area(areas.iter().copied())
     } else {
@@ -104,7 +104,7 @@ fn of_spots(reading: &Reading, size: [usize; 2], wanted: &Wanted, raggedness: Op
     let groups: Vec<Vec<crate::measure::Spot>> = ranges.iter().map(|(_, range)| of_layer(*range)).collect();
     let regions = wanted.regions.unwrap_or_else(|| {
         let each = groups.iter().map(|spots| fewest(&samples_of_spots(spots, size)));
-        // The finest that a layer needs.
+        // The finest layout that a layer needs.
         each.max_by_key(|[columns, rows]| columns * rows).unwrap_or([1, 1])
     });
     let by_cell = between.map(|_| watershed::areas(&reading.segmentation.field, reading.segmentation.level));
@@ -142,8 +142,8 @@ fn of_spots(reading: &Reading, size: [usize; 2], wanted: &Wanted, raggedness: Op
     }
 }
 
-/// The `whole` ones, and the visible parts of those of the `spots` that the border cuts: without them the border of the sketch would be
-/// bare.
+/// The `whole` ellipses, and the visible parts of `spots` that the border cuts: without these the border of the sketch would be
+/// empty.
 fn with_cut(whole: Vec<Ellipse>, spots: &[crate::measure::Spot]) -> Vec<Ellipse> {
     let least = LEAST_PART * usual_area(whole.iter().map(Ellipse::area));
     let is_cut = |spot: &&crate::measure::Spot| {
@@ -165,7 +165,8 @@ fn samples_of_spots(spots: &[crate::measure::Spot], size: [usize; 2]) -> Vec<Sam
     spots.iter().filter(|spot| spot.whole).map(|spot| sample(&spot.ellipse)).collect()
 }
 
-/// Representatives of each region. Spots with a place between them that others have `taken` are no neighbours, as in what grows.
+/// Representatives of each region. Spots with a place between them that marks of another layer have `taken` are no neighbours, as
+/// in a growth.
 fn by_region(
     spots: &[crate::measure::Spot],
     size: [usize; 2],
@@ -197,14 +198,14 @@ fn by_region(
     .collect()
 }
 
-/// Neighbours of dense spots stand close to each other and leave bare places, so that their distance alone would make more of them than
-/// there are: as far apart as it takes for them to cover this share of the region.
+/// Dense spots with a spacing large enough that they cover the share `ink` of the region. Neighbours of dense spots stand close to
+/// each other and leave empty places, so that their distance alone would give more spots than there are.
 fn no_denser(found: Spots, ink: Option<f64>) -> Spots {
     let least = ink.filter(|ink| *ink > 0.0).map(|ink| (found.area / (0.75f64.sqrt() * ink)).sqrt());
     Spots { spacing: found.spacing.map(|spacing| least.map_or(spacing, |least| spacing.max(least))), ..found }
 }
 
-/// The share of each region that is marks; nothing of a picture whose marks are not dense.
+/// The share of marks in each region; empty for a picture whose marks are not dense.
 fn dense_ink(reading: &Reading, size: [usize; 2], regions: [usize; 2]) -> Vec<f64> {
     if reading.ink() < DENSE {
         return Vec::new();
@@ -221,14 +222,14 @@ fn dense_ink(reading: &Reading, size: [usize; 2], regions: [usize; 2]) -> Vec<f6
     counts.into_iter().map(|[marks, all]| marks as f64 / all.max(1) as f64).collect()
 }
 
-/// Stops of the marks that count.
+/// The stops of the marks for which `counts` holds.
 fn colours(reading: &Reading, counts: impl Fn(usize) -> bool) -> Vec<Tone> {
     let segmentation = &reading.segmentation;
     let of = |lab| tones(lab, &segmentation.field, segmentation.level, counts);
     segmentation.lab.as_deref().map_or_else(Vec::new, of)
 }
 
-/// Wavelengths a side of the tiles in which stripes are measured, and most tiles along a side.
+/// Side of the tiles in which stripes are measured, in wavelengths, and most tiles along a side.
 const TILE: f64 = 1.5;
 const MOST_TILES: usize = 12;
 
@@ -270,7 +271,7 @@ fn of_stripes(reading: &Reading, size: [usize; 2], wanted: &Wanted, found: usize
     Sketch { regions: (!wanted.all_marks).then_some(regions), layers: vec![layer], between: None }
 }
 
-/// The stripes of each region; `None` where there are none.
+/// The stripes of each region; `None` for a region without stripes.
 fn bands(
     field: &Field,
     level: f32,

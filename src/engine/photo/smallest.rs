@@ -1,12 +1,13 @@
-//! Marks below the smallest one that counts, taken out.
+//! Removal of marks that are too small.
 
 use super::watershed::areas;
 use crate::grid::Field;
 
-/// How far below the level their cells are put: the surface through the cells may not rise above it between them.
+/// Difference between the threshold and the value of removed cells: the interpolated surface may not rise above the threshold
+/// between them.
 const BELOW: f32 = 0.2;
 
-/// Lowers what hangs together above `level` and is smaller than `least` px² to below it.
+/// Lowers the connected regions above `level` that are smaller than `least` px² to below it.
 pub fn remove_below(field: &mut Field, level: f32, least: f64) {
     let areas = areas(field, level);
     for (value, area) in field.values.iter_mut().zip(areas) {
@@ -22,7 +23,7 @@ mod tests {
     use crate::grid::Edges;
 
     #[test]
-    fn what_is_smaller_goes_and_what_is_larger_stays_as_it_is() {
+    fn smaller_regions_are_removed_and_larger_ones_unchanged() {
         // Squares of 2 and 5 cells of 3 px: 36 and 225 px².
         let inside = |x: usize, y: usize| (2..4).contains(&x) && y < 2 || (8..13).contains(&x) && y > 2;
         let values = (0..16 * 8).map(|k| if inside(k % 16, k / 16) { 1.0 } else { 0.1 }).collect();

@@ -1,10 +1,9 @@
 //! The colours of marks and ground, as stops that keep the visible edge.
 //!
-//! The blur of a photograph makes all colours between ground and mark. Stops taken at pattern values would paint them again
-//! and move the edge by a fifth of the area; so the colours are taken by the distance from the edge: far from it on either
-//! side, and just beyond the blur. Each is the median of the px there, after the light that falls off has been divided out.
-//! Where marks or the ground between them are so thin that their middles show both colours, what the blur has mixed is
-//! separated again.
+//! The blur of a photograph produces all colours between ground and mark. Stops taken at pattern values would reproduce them, and
+//! move the edge by a fifth of the area. So the colours are taken by the distance from the edge: far from it on either side, and
+//! just beyond the blur. Each is the median of the px there, after light that falls off has been divided out. If marks or the
+//! ground between them are so thin that their middles show both colours, the mixture is separated again.
 
 use super::edge_blur::Shares;
 use super::lab::Lab;
@@ -22,21 +21,21 @@ pub struct Tone {
     pub colour: [u8; 3],
 }
 
-/// Pattern values of far ground, near ground, near mark and the middle of marks. With the two in the middle as far from ½ as
-/// this, px of dapple's own edges are as sharp as in a picture that is not blurred.
+/// Pattern values of far ground, near ground, near mark and the middle of marks. The two in the middle are at this distance from ½
+/// so that edges painted by dapple are as sharp as in a picture without blur.
 const AT: [f64; 4] = [0.0, 0.41, 0.59, 1.0];
-/// Half of the width of a blurred edge, cells: what is nearer to the edge shows both colours.
+/// Half of the width of a blurred edge, cells: px closer to the edge show both colours.
 const BLUR: f64 = 2.0;
-/// Near is up to this far beyond the blur, as a share of the largest distance there is inside.
+/// Limit of "near", beyond the blur, as a share of the largest distance inside.
 const NEAR: f64 = 0.35;
-/// Far is from this share on.
+/// Lower limit of "far", as that share.
 const FAR: f64 = 0.6;
-/// Distances are compared with this quantile of those of inner cells: the largest are those of a few places.
+/// Distances are compared with this quantile of those of inner cells: the largest ones occur only in a few places.
 const QUANTILE: f64 = 0.95;
-/// Cells that are looked at: a median of so many is exact to a step of 8 bits.
+/// Number of cells that are sampled: a median of so many is accurate to a step of 8 bits.
 const ENOUGH: usize = 1 << 19;
 
-/// The stops of the marks above `level` in `field` that `counts` (by cell), on the ground around all of them.
+/// The stops of the marks above `level` in `field` for whose cells `counts` holds, on the ground around all marks.
 #[must_use]
 pub fn tones(lab: &Lab, field: &Field, level: f32, counts: impl Fn(usize) -> bool) -> Vec<Tone> {
     let grid = field.grid();
@@ -71,13 +70,13 @@ pub fn tones(lab: &Lab, field: &Field, level: f32, counts: impl Fn(usize) -> boo
         .collect()
 }
 
-/// Every how many cells are looked at, of `cells` in rows of `width`: so that enough are, and in all columns.
+/// The step between sampled cells, of `cells` in rows of `width`, so that enough cells are sampled, and in all columns.
 fn stride(cells: usize, width: usize) -> usize {
     let stride = cells / ENOUGH + 1;
     if stride > 1 && width.is_multiple_of(stride) { stride + 1 } else { stride }
 }
 
-/// The cells just beyond the blur of an edge, and those far from it, of cells with their distances.
+/// The cells just beyond the blur of an edge, and those far from it, from cells with their distances.
 fn near_and_far(cells: &[(f64, usize)]) -> [Vec<usize>; 2] {
     if cells.is_empty() {
         return [Vec::new(), Vec::new()];
@@ -86,7 +85,7 @@ fn near_and_far(cells: &[(f64, usize)]) -> [Vec<usize>; 2] {
     let rank = ((inner.len() - 1) as f64 * QUANTILE) as usize;
     let (_, most, _) = inner.select_nth_unstable_by(rank, f64::total_cmp);
     let most = *most;
-    // Thin marks have no place beyond the blur: what is farthest from the edge stands for all.
+    // Thin marks have no place beyond the blur: the cells farthest from the edge represent all.
     let blur = BLUR.min(NEAR * most);
     let near = |far: f64| far >= blur && far <= blur + NEAR * (most - blur) + 1.0;
     let far = |far: f64| far >= FAR * most;
@@ -141,7 +140,8 @@ mod tests {
         assert_eq!(found.iter().map(|tone| tone.at).collect::<Vec<_>>(), AT);
         for (tone, wanted) in found.iter().zip([sand, sand, brown, brown]) {
             let off = (0..3).map(|k| tone.colour[k].abs_diff(wanted[k])).max().unwrap();
-            // The medians of uneven light are off by 18; a blur that is taken to be too wide makes colours near the edge stronger by 6.
+            // In uneven light the plain medians have errors of 18; a blur that is estimated too wide makes colours near the edge
+            // stronger by 6.
             assert!(off <= 8, "{found:?}");
         }
     }

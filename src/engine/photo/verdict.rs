@@ -1,10 +1,10 @@
-//! Whether a picture is a texture of spots or stripes, and if not, why.
+//! Decides whether a picture is a texture of spots or stripes, and if not, why.
 
 use super::Segmentation;
 use crate::grid::Field;
 use crate::measure::{NotTexture, Picture, Spot, check_picture};
 
-/// Why a photograph shows neither spots nor stripes.
+/// The reason why a photograph shows neither spots nor stripes.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Neither {
     /// Marks and ground hardly differ.
@@ -13,10 +13,10 @@ pub enum Neither {
         /// Their usual difference.
         contrast: f64,
     },
-    /// Nothing hangs together: noise.
+    /// No connected marks: noise.
     #[error("there are no marks, only noise")]
     Noise,
-    /// Marks and ground are no two tones.
+    /// Marks and ground do not have one tone each.
     #[error(
         "within marks and ground the tones differ by {uneven:.2} of the contrast, in a texture by at most {UNEVEN}"
     )]
@@ -34,7 +34,8 @@ pub enum Neither {
     },
     /// The spots are no ellipses.
     #[error(
-        "the marks are no ellipses: they fill {fill:.3} of those with their moments, smooth spots at least {FILL}"
+        "the marks are not shaped like ellipses: they fill {fill:.3} of the ellipses fitted to them, smooth \
+         spots at least {FILL}"
     )]
     Shapes {
         /// Mean over the whole ones.
@@ -46,12 +47,12 @@ pub enum Neither {
         /// Mean coherence.
         coherence: f64,
     },
-    /// What holds of any picture.
+    /// A reason that applies to any picture.
     #[error(transparent)]
     NotTexture(#[from] NotTexture),
 }
 
-/// Least difference of marks and ground, OKLab: below it compression makes marks of its own.
+/// Least difference of marks and ground, OKLab: below it compression produces spurious marks.
 pub const CONTRAST: f64 = 0.04;
 /// Most unevenness: see [`Neither::Uneven`].
 const UNEVEN: f64 = 0.29;
@@ -59,14 +60,14 @@ const UNEVEN: f64 = 0.29;
 const SPOTS: usize = 8;
 /// Least mean fill of whole spots whose edges are smooth.
 const FILL: f64 = 0.97;
-/// Least mean fill and least mean raggedness of ragged spots: those of a hyena have 0.91 and 1.4, degraded 1.33; boxes and the
-/// rosettes of a leopard have 1.22 at most.
+/// Least mean fill and least mean raggedness of ragged spots: those of a hyena have 0.91 and 1.4 (1.33 if degraded); boxes and the
+/// rosettes of a leopard have a raggedness of at most 1.22.
 const RAGGED_FILL: f64 = 0.88;
 const RAGGED: f64 = 1.28;
 /// Least mean coherence of stripes.
 const COHERENCE: f64 = 0.7;
 
-/// Checks that what was found in a photograph is a texture.
+/// Checks that the marks of a photograph form a texture.
 ///
 /// # Errors
 /// The first [`Neither`] that applies.
@@ -97,7 +98,7 @@ pub fn check(segmentation: &Segmentation, picture: &Picture, spots: &[Spot]) -> 
     Ok(check_picture(&segmentation.field, segmentation.level, picture)?)
 }
 
-/// What was found with the raggedness of spots that are no ellipses.
+/// The measurements with the raggedness of spots that are no ellipses.
 #[must_use]
 pub fn with_raggedness(picture: Picture, field: &Field, level: f32, spots: &[Spot]) -> Picture {
     if mean_fill(spots) < FILL { picture.with_raggedness(field, level) } else { picture }

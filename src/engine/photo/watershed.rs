@@ -1,25 +1,26 @@
-//! Spots that touch, cut apart at their necks.
+//! Separates spots that touch at their necks.
 //!
-//! The distance to the ground has a peak in the middle of each spot and a saddle at a neck between two. Flooded from the
-//! peaks downwards, basins that meet at a saddle stay apart where the lower peak is clearly above it (watershed by
+//! The distance to the ground has a peak in the middle of each spot and a saddle at the neck between two. The region is flooded
+//! from the peaks downwards; basins that meet at a saddle stay separate if the lower peak is clearly above it (watershed by
 //! persistence: F. Meyer, "Topographic distance and watershed lines", Signal Processing 38 (1994)).
 
 use crate::grid::Field;
 use crate::grid::distance::{length, nearest};
 use crate::marks::Moments;
 
-/// A region that fills less of the ellipse of its second moments may be several spots: two that touch fill 0.75–0.9.
+/// A region that fills less of the ellipse of its second moments may consist of several spots: two that touch fill 0.75–0.9.
 const FILL: f64 = 0.93;
-/// The parts must fill their own ellipses better by this much, or the region stays whole: a bent spot is no two.
+/// The parts must fill their own ellipses better by this much, or the region stays whole: a bent spot is a single spot.
 const GAIN: f64 = 0.04;
 /// A neck is at most this share of the narrower part's width.
 const NECK: f32 = 0.75;
-/// A neck is narrower than the narrower part by at least so many cells: px make steps of this size in any outline.
+/// A neck is narrower than the narrower part by at least this number of cells: px make steps of this size in any outline.
 const STEP: f32 = 0.75;
-/// How far below the level cells of a neck are put: the surface through the cells may not rise above it between them.
+/// Difference between the level and the value of cells of a neck: the interpolated surface may not rise above the level between
+/// them.
 const BELOW: f32 = 0.2;
 
-/// Lowers the necks between spots that touch below `level`; returns how many regions were cut.
+/// Lowers the necks between spots that touch below `level`; returns the number of regions that were cut.
 pub fn cut_apart(field: &mut Field, level: f32) -> usize {
     let ground: Vec<bool> = field.values.iter().map(|value| *value <= level).collect();
     let mut grid = field.grid();
@@ -29,7 +30,7 @@ pub fn cut_apart(field: &mut Field, level: f32) -> usize {
     let far = |at: usize| length(offsets[at], &grid) as f32;
     let size = [field.width, field.height];
     let mut seen = ground.clone();
-    // The part that each cell belongs to; 0 = not looked at.
+    // The part that each cell belongs to; 0 = not processed yet.
     let mut parts = vec![0_u32; seen.len()];
     let mut cut = 0;
     for start in 0..seen.len() {
@@ -56,7 +57,7 @@ pub fn cut_apart(field: &mut Field, level: f32) -> usize {
     cut
 }
 
-/// The area of the mark that each cell above `level` belongs to, px²; 0 of ground.
+/// The area of the mark that each cell above `level` belongs to, px²; 0 on the ground.
 pub fn areas(field: &Field, level: f32) -> Vec<f64> {
     let mut seen: Vec<bool> = field.values.iter().map(|value| *value <= level).collect();
     let mut areas = vec![0.0; seen.len()];
@@ -70,7 +71,7 @@ pub fn areas(field: &Field, level: f32) -> Vec<f64> {
     areas
 }
 
-/// The cells that hang together with `start`; they become seen.
+/// The cells that are connected with `start`; they are marked as seen.
 pub(super) fn component(start: usize, seen: &mut [bool], [width, height]: [usize; 2]) -> Vec<usize> {
     let mut cells = vec![start];
     seen[start] = true;
@@ -104,12 +105,12 @@ fn around(at: usize, [width, height]: [usize; 2]) -> impl Iterator<Item = usize>
     })
 }
 
-/// Numbers the parts of a region from 1 in `parts`; returns how many there are.
+/// Numbers the parts of a region from 1 in `parts`; returns their number.
 fn flood(cells: &[usize], far: impl Fn(usize) -> f32, size: [usize; 2], parts: &mut [u32]) -> usize {
     let mut order: Vec<(f32, usize)> = cells.iter().map(|at| (far(*at), *at)).collect();
-    // From the highest down; of equal ones in reading order.
+    // From the highest down; equal ones in reading order.
     order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-    // Of each basin: its peak, and the basin that it was joined to.
+    // For each basin: its peak, and the basin that it was joined to.
     let mut basins: Vec<(f32, usize)> = Vec::new();
     let root = |basins: &[(f32, usize)], mut basin: usize| {
         while basins[basin].1 != basin {
@@ -118,7 +119,7 @@ fn flood(cells: &[usize], far: impl Fn(usize) -> f32, size: [usize; 2], parts: &
         basin
     };
     for (height, at) in order {
-        // The way up leads to the highest of the neighbours that are flooded.
+        // The way upwards leads to the highest of the neighbours that are flooded.
         let mut up: Option<(f32, usize)> = None;
         for near in around(at, size).filter(|near| parts[*near] > 0) {
             let other = root(&basins, parts[near] as usize - 1);
@@ -144,7 +145,7 @@ fn flood(cells: &[usize], far: impl Fn(usize) -> f32, size: [usize; 2], parts: &
         }
         parts[at] = own as u32 + 1;
     }
-    // Numbered anew, without those that were joined.
+    // Renumbered without those that were joined.
     let mut numbers = vec![0_u32; basins.len()];
     let mut count = 0;
     for at in cells {
@@ -158,7 +159,7 @@ fn flood(cells: &[usize], far: impl Fn(usize) -> f32, size: [usize; 2], parts: &
     count as usize
 }
 
-/// Area ÷ area of the ellipse with the same second moments: 1 of an ellipse.
+/// Area ÷ area of the ellipse with equal second moments: 1 for an ellipse.
 fn fill(cells: impl Iterator<Item = usize>, width: usize) -> f64 {
     let mut moments = Moments::default();
     for at in cells {

@@ -1,17 +1,18 @@
-//! The order in which dark points appear in a film: along the graph, from where they begin.
+//! The order in which dark points appear in a film: along the graph, from their starts.
 
 use super::delaunay::Delaunay;
 use super::ways::ways;
 
-/// When each point appears, 0..1.
+/// Time at which each point appears, 0..1.
 pub struct Appearance(Vec<f64>);
 
-/// How long a point takes until it has its whole value, as a share of the film: with 0 it shows single points, not edges that move.
+/// Share of the film during which the value of a point rises to its final value. At 0 single points would pop up; edges would not
+/// move.
 const FADE: f64 = 0.12;
 
 impl Appearance {
-    /// Points with a value above 0 appear from the nearest of `starts` on, at one speed along the ways between such points, the farthest of all
-    /// at 1. A group of points without a start begins at the first of them.
+    /// Points with a value above 0 appear from the nearest of `starts` on, at constant speed along the paths between such points,
+    /// the farthest of all at time 1. In a group of dark points without a start, the first point is the start.
     #[must_use]
     pub fn along(graph: &Delaunay, values: &[f32], starts: &[usize]) -> Self {
         let is_dark = |point: usize| values[point] > 0.0;
@@ -22,7 +23,7 @@ impl Appearance {
         Self(found.length.into_iter().map(moment).collect())
     }
 
-    /// `values` at the time `share`, 0..1, of the film: at 0 those of the starts begin, at 1 all are there.
+    /// The `values` at the time `share`, 0..1, of the film: at 0 the starts begin to appear, at 1 all points are shown.
     #[must_use]
     pub fn at(&self, values: &[f32], share: f64) -> Vec<f32> {
         let shown = |(value, moment): (&f32, &f64)| {
@@ -35,7 +36,7 @@ impl Appearance {
     }
 }
 
-/// The `starts`, and of each group of dark points without any the first.
+/// The `starts`, and the first point of each group of dark points that has no start.
 fn with_one_in_each_group(graph: &Delaunay, is_dark: impl Fn(usize) -> bool, starts: &[usize]) -> Vec<usize> {
     let given = starts.len();
     let mut starts = starts.to_vec();
@@ -68,7 +69,7 @@ mod tests {
     use crate::points::extent::Extent;
 
     #[test]
-    fn points_appear_from_their_starts_outward_until_all_are_there() {
+    fn points_appear_from_their_starts_outward_until_all_are_shown() {
         let extent = Extent { size: [100.0, 10.0], wrap: [false; 2] };
         let row: Vec<[f64; 2]> = (0..10).map(|k| [5.0 + 10.0 * f64::from(k), 5.0]).collect();
         let graph = Delaunay::new(&row, extent);

@@ -1,4 +1,4 @@
-//! Where patches and cells begin: discs at the wanted spacing, moved apart a little.
+//! The centres of patches and cells: discs at the wanted spacing, moved apart a little.
 
 use rand::Rng;
 
@@ -8,12 +8,12 @@ use crate::points::discs::{Laying, POINTS_A_SQUARE, poisson_discs};
 use crate::points::extent::Extent;
 use crate::points::metric::Metric;
 
-/// Width of the frame beyond closed borders in which centres are laid too, in spacings: nearly two rows, of which the outer
-/// one holds the inner one back.
+/// Width of the frame beyond closed borders in which centres are laid too, in spacings: nearly two rows. The outer row keeps the
+/// inner one in place.
 const FRAME: f64 = 1.7;
-/// The least aspect that widens the frame: longer ellipses have no wider one.
+/// The least aspect that widens the frame: longer ellipses get the same frame.
 pub const LONGEST: f64 = 0.15;
-/// Places along a side at which the map is asked.
+/// Number of sampled places along each side.
 const SAMPLES: usize = 16;
 
 /// The distance of neighbours around a place.
@@ -21,13 +21,13 @@ const SAMPLES: usize = 16;
 pub struct Pitch {
     /// Distance of neighbours, px.
     pub spacing: f64,
-    /// Shortest ÷ longest distance, 0..1, and the direction of the longest, degrees.
+    /// Shortest ÷ longest distance, 0..1.
     pub aspect: f64,
     /// Direction of the longest distance, degrees.
     pub angle: f64,
 }
 
-/// The largest that `of` makes of what is wanted anywhere on the canvas.
+/// The largest value of `of` for the wanted properties, sampled over the canvas.
 pub fn largest<T>(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> T, of: impl Fn(&T) -> f64) -> f64 {
     let place = |index: usize| [index % SAMPLES, index / SAMPLES].map(|k| (k as f64 + 0.5) / SAMPLES as f64);
     let at = |index: usize| {
@@ -37,20 +37,21 @@ pub fn largest<T>(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> T, of: impl Fn(&
     (0..SAMPLES * SAMPLES).map(at).fold(0.0, f64::max)
 }
 
-/// Rounds of repulsion: few, so that centres stay as irregular as those of a pelt; a lattice looks made.
+/// Rounds of repulsion. Few, so that the centres stay as irregular as on an animal; a lattice looks artificial.
 const ROUNDS: usize = 4;
 /// Neighbours closer than this, in pitches, push each other.
 const PUSH: f64 = 1.25;
 
-/// Of two, the metric in which the one is nearer to the other has this share of the distance at most: √2, and a little for the rounding.
+/// Largest distance between two points in the metric of one of them ÷ root mean square of their distances in both metrics: √2 and a
+/// margin for rounding.
 const MUTUAL: f64 = 1.415;
 
-/// How exactly centres are laid.
+/// Accuracy with which centres are laid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effort {
-    /// Tries at the number of centres, the nearest of which is taken.
+    /// Attempts with different numbers of centres; the nearest result is taken.
     pub tries: usize,
-    /// A spacing that is right within this share needs no other try.
+    /// Relative error of the spacing below which no further attempt is made.
     pub close: f64,
 }
 
@@ -60,28 +61,29 @@ fn frame(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Pitch) -> f64 {
     FRAME * largest(extent, wanted, |wanted| wanted.spacing / wanted.aspect.clamp(LONGEST, 1.0).sqrt())
 }
 
-/// What laying centres takes, at the first try.
+/// The cost of laying centres, for the first attempt.
 #[must_use]
 pub fn laying(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Pitch) -> Laying {
     Laying::new(extent, frame(extent, wanted), &|at| disc(&wanted(at), 1.0))
 }
 
-/// How often two centres are compared in laying them, at most: each with those in its bucket and the eight around it.
+/// Upper bound of the number of comparisons of two centres while they are laid: each is compared with those in its bucket and in
+/// the eight buckets around it.
 #[must_use]
 pub fn compared(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Pitch, effort: Effort) -> f64 {
     let Laying { points, crowding, .. } = laying(extent, wanted);
     points * (9.0 * IN_A_BUCKET * crowding).min(points) * (ROUNDS * effort.tries) as f64
 }
 
-/// The disc of a centre, where all distances are `scale` times as large. There are as many discs as a hexagonal lattice has points:
-/// .7 ÷ r² = 2 ÷ (√3·pitch²).
+/// The disc of a centre, with all distances multiplied by `scale`. There are as many discs as a hexagonal lattice has points: .7 ÷
+/// r² = 2 ÷ (√3·pitch²).
 fn disc(wanted: &Pitch, scale: f64) -> Metric {
     let share = (POINTS_A_SQUARE * 0.75f64.sqrt()).sqrt();
     Metric::ellipse(share * scale * wanted.spacing, wanted.aspect, wanted.angle)
 }
 
-/// Centres over the canvas and its frame at the wanted spacing, around the `pinned`, which are left out. `ratio` of all centres,
-/// with the pinned ones first, says by which factor they are too far apart.
+/// Centres over the canvas and its frame at the wanted spacing, around the `pinned` points, which are not part of the result.
+/// `ratio` gets all centres, the pinned ones first, and returns the factor by which they are too far apart.
 pub fn lay(
     extent: &Extent,
     wanted: &dyn Fn([f64; 2]) -> Pitch,
@@ -94,7 +96,7 @@ pub fn lay(
     let mut scale = 1.0;
     let mut best: (f64, Vec<[f64; 2]>) = (f64::INFINITY, Vec::new());
     for _ in 0..effort.tries {
-        // The pitch: of a hexagonal lattice the distance of neighbours.
+        // The pitch: distance of neighbours in a hexagonal lattice.
         let metric = |at: [f64; 2]| {
             let wanted = wanted(at);
             Metric::ellipse(scale * wanted.spacing, wanted.aspect, wanted.angle)
@@ -117,7 +119,7 @@ pub fn lay(
     best.1.split_off(pinned.len().min(best.1.len()))
 }
 
-/// Mean of the edges' lengths ÷ the spacing wanted at their midpoints; 1 without edges on the canvas.
+/// Mean of the lengths of the edges ÷ the spacing wanted at their midpoints; 1 if there is no edge on the canvas.
 pub fn ratio_of_spacings(points: &[[f64; 2]], extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Pitch) -> f64 {
     let tile = (extent.wrap == [true; 2]).then_some(extent.size);
     let mut edges = weighted_edges(points, tile, |at| wanted(at).spacing);
@@ -145,11 +147,12 @@ fn pushed(
     let places = PointBuckets::new(Bounds { size: extent.size, edges }, points.to_vec());
     let push = |index: usize| {
         let (at, own) = (points[index], &metrics[index]);
-        // Others push it within d² ≥ ½ own² alone. By rows, so that the sums do not depend on how they were found.
+        // d² ≥ ½·own², so points farther away cannot repel it. Summed by rows, so that the sums do not depend on the order of the
+        // search.
         let mut near = places.within(at, MUTUAL * PUSH * own.half[0].max(own.half[1]));
         near.sort_unstable_by_key(|other| rank[*other as usize]);
         let mut shift = [0.0; 2];
-        // Those in the rows within reach, on a tile at their images too.
+        // The points in the rows within reach; on a tile, their images too.
         for rows in
             [0.0, -extent.size[1], extent.size[1]].into_iter().filter(|rows| *rows == 0.0 || extent.wrap[1])
         {
@@ -159,7 +162,7 @@ fn pushed(
                 let displacement = extent.shortest([points[other][0] - at[0], points[other][1] - at[1]]);
                 let d = (0.5 * (own.square(displacement) + metrics[other].square(displacement))).sqrt();
                 if d > 1e-9 && d < PUSH {
-                    // Half of the gap, shared with the other, damped for six neighbours.
+                    // Half of the gap, because the other point moves too, damped for six neighbours.
                     let push = 0.22 * (PUSH - d) / d;
                     shift = [shift[0] - push * displacement[0], shift[1] - push * displacement[1]];
                 }
@@ -175,7 +178,7 @@ fn pushed(
 mod tests {
     use super::*;
 
-    /// What [`pushed`] is without a look at which points are near.
+    /// Reference for [`pushed`]: compares all points.
     fn pushed_by_all(
         points: &[[f64; 2]],
         extent: &Extent,
@@ -204,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn points_are_pushed_by_all_that_are_near_where_large_ones_are_beside_small_ones() {
+    fn large_points_push_all_small_points_near_them() {
         let number = |i: usize, step: f64| (0.5 + step * i as f64).fract();
         let points: Vec<[f64; 2]> =
             (0..120).map(|i| [90.0 * number(i, 0.754_877_7), 70.0 * number(i, 0.569_840_3)]).collect();

@@ -1,46 +1,49 @@
-//! The graph over points: each with its Delaunay neighbours in order round it, and its Voronoi cell.
+//! The graph over points: the Delaunay neighbours of each point in order round it, and its Voronoi cell.
 //!
-//! Along an axis that wraps copies of the points stand beyond the border. Where one does not wrap, a circle of guards far
-//! away closes the cells of the outermost points, so that these go on as they are: guards have no value.
+//! Along an axis that wraps, copies of the points are added beyond the border. Along an axis that does not wrap, a circle of guards
+//! far away closes the cells of the outermost points, so that the values there continue outwards unchanged: guards have no value.
 
 use spade::{Triangulation, handles::FixedVertexHandle};
 
 use super::extent::Extent;
 use crate::grid::triangulation::{Corner, Margin, Mesh, distinct, tame, triangulated};
 
-/// The way to a neighbour.
+/// The edge from a point to a neighbour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
-    /// From the point to the neighbour, or to the image of it that is one, px.
+    /// From the point to the neighbour or its nearest image, px.
     pub displacement: [f64; 2],
     /// The neighbour; `None` for a guard.
     pub to: Option<u32>,
-    /// The smaller of the cotangents of the two angles opposite to the edge. Above 0 the straight way there leads through the cells
-    /// of the two only (an edge of the Gabriel graph); the higher, the farther are the points at its sides.
+    /// The smaller of the cotangents of the two angles opposite to the edge. Above 0, the straight line between the ends stays in
+    /// the cells of these two points (an edge of the Gabriel graph). The higher the value, the farther away are the points at the
+    /// sides of the edge.
     pub clearance: f64,
 }
 
 /// The Delaunay graph of points and their Voronoi cells.
 #[derive(Clone, Debug)]
 pub struct Delaunay {
-    /// Where the points lie.
+    /// The rectangle in which the points lie.
     pub extent: Extent,
     /// The points, px, folded into the extent along the axes that wrap.
     pub points: Vec<[f64; 2]>,
-    /// Of each point the range of its axes.
+    /// For each point, the range of its axes.
     starts: Vec<u32>,
     axes: Vec<Axis>,
-    /// The corner of the cell after each axis, from the point, px.
+    /// The corner of the cell after each axis, relative to the point, px.
     corners: Vec<[f64; 2]>,
 }
 
-/// Guards round points that do not wrap. Fewer would leave long triangles at the outermost points.
+/// Number of guards round points that do not wrap. Fewer would leave long triangles at the outermost points.
 const GUARDS: usize = 16;
-/// Their distance from the middle, in diagonals of all points: then every place of the extent is nearer to a point.
+/// Distance of the guards from the middle, in diagonals of the extent: then every place of the extent is nearer to a point than to
+/// a guard.
 const GUARDED: f64 = 4.0;
 
 impl Delaunay {
-    /// The graph of `points`, px. Of points that coincide the first has neighbours; those that are not finite have none.
+    /// The graph of `points`, px. If points coincide, only the first one has neighbours. Points with coordinates that are not
+    /// finite have none.
     ///
     /// ```
     /// use dapple_engine::points::delaunay::Delaunay;
@@ -55,12 +58,12 @@ impl Delaunay {
         let points: Vec<[f64; 2]> = points.iter().map(|at| tame(extent.folded(*at))).collect();
         let sites = distinct(&points);
         let longest = extent.size[0].max(extent.size[1]);
-        // Poisson discs leave empty circles of 1.2 mean distances at most, random points of 2–3.
+        // Poisson discs leave empty circles of at most 1.2 mean distances, random points of 2–3.
         let mean = (extent.size[0] * extent.size[1] / sites.len().max(1) as f64).sqrt();
         let mut margin = (3.0 * mean).min(1.5 * longest);
         loop {
             let mesh = guarded(&points, &sites, &extent, margin);
-            // Of one point and its copies the empty circles are .71 of the longer side at most.
+            // With one point and its copies, the radius of the empty circles is at most .71 of the longer side.
             let surely = margin >= 1.5 * longest;
             if let Some(graph) =
                 Self::read(&mesh, &points, extent, if surely { f64::INFINITY } else { margin })
@@ -71,7 +74,7 @@ impl Delaunay {
         }
     }
 
-    /// `None` where a circle round a triangle reaches beyond the `margin` in which copies stand.
+    /// The graph of a triangulation; `None` if the circumcircle of a triangle reaches beyond the `margin` that holds copies.
     fn read(mesh: &Mesh, points: &[[f64; 2]], extent: Extent, margin: f64) -> Option<Self> {
         let margin = Margin { size: extent.size, wrap: extent.wrap, width: margin };
         let mut own: Vec<Option<FixedVertexHandle>> = vec![None; points.len()];
@@ -100,7 +103,7 @@ impl Delaunay {
             for k in 0..count {
                 let sides = [corners[first + k], corners[first + (k + count - 1) % count]];
                 let axis = &mut axes[first + k];
-                // The centre of a triangle's circle is half an edge times the cotangent of the opposite angle away from the edge.
+                // The circumcentre is half an edge times the cotangent of the opposite angle away from the edge.
                 let square =
                     axis.displacement[0] * axis.displacement[0] + axis.displacement[1] * axis.displacement[1];
                 let [after, before] = sides.map(|corner| {
@@ -113,29 +116,29 @@ impl Delaunay {
         Some(Self { extent, points: points.to_vec(), starts, axes, corners })
     }
 
-    /// The axes of a point, in order round it.
+    /// The edges of a point, in order round it.
     #[must_use]
     pub fn axes(&self, point: usize) -> &[Axis] {
         &self.axes[self.starts[point] as usize..self.starts[point + 1] as usize]
     }
 
-    /// The corners of a point's Voronoi cell in order round it, from the point, px.
+    /// The corners of a point's Voronoi cell in order round it, relative to the point, px.
     #[must_use]
     pub fn cell(&self, point: usize) -> &[[f64; 2]] {
         &self.corners[self.starts[point] as usize..self.starts[point + 1] as usize]
     }
 
-    /// The neighbours of a point, without guards; a point whose copy is near is its own.
+    /// The neighbours of a point, without guards; if a copy of a point is a neighbour, the index of the point itself.
     pub fn neighbours(&self, point: usize) -> impl Iterator<Item = usize> {
         self.axes(point).iter().filter_map(|axis| axis.to).map(|to| to as usize)
     }
 
-    /// The points opposite to a point across the edges between its neighbours, each with the clearance of that edge.
+    /// For each edge between two neighbours of a point, the point on its other side, with the clearance of that edge.
     pub fn opposite(&self, point: usize) -> impl Iterator<Item = (usize, f64)> {
         let axes = self.axes(point);
         (0..axes.len()).filter_map(move |k| {
             let (one, next) = (&axes[k], &axes[(k + 1) % axes.len()]);
-            // Round the neighbour the edge comes after the opposite point, and before the point itself.
+            // In the order round the neighbour, this edge comes after the opposite point and before the point itself.
             let ring = self.axes(one.to? as usize);
             let displacement =
                 [next.displacement[0] - one.displacement[0], next.displacement[1] - one.displacement[1]];
@@ -156,7 +159,7 @@ impl Delaunay {
         area(self.cell(point))
     }
 
-    /// Area, px², of the part of a point's cell that lies on the extent; along an axis that wraps all of it does.
+    /// Area, px², of the part of a point's cell that lies on the extent. Along an axis that wraps, the whole cell counts.
     #[must_use]
     pub fn area_inside(&self, point: usize) -> f64 {
         let at = self.points[point];
@@ -179,8 +182,8 @@ pub fn area(corners: &[[f64; 2]]) -> f64 {
     0.5 * corners.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum::<f64>().abs()
 }
 
-/// The part of a polygon that lies on the extent, by its borders that do not wrap (Sutherland and Hodgman). Of one that is
-/// not convex the parts may be joined along the border, which does not change the area.
+/// The part of a polygon that lies on the extent, cut at the borders that do not wrap (Sutherland and Hodgman). The parts of a
+/// concave polygon may be joined along the border, which does not change the area.
 #[must_use]
 pub fn clipped(mut corners: Vec<[f64; 2]>, extent: &Extent) -> Vec<[f64; 2]> {
     for axis in (0..2).filter(|axis| !extent.wrap[*axis]) {
@@ -220,7 +223,7 @@ fn guarded(points: &[[f64; 2]], sites: &[u32], extent: &Extent, margin: f64) -> 
         let reach = GUARDED * libm::hypot(window[1][0] - window[0][0], window[1][1] - window[0][1]);
         let middle = [0, 1].map(|axis| 0.5 * (window[0][axis] + window[1][axis]));
         for k in 0..GUARDS {
-            // Turned a little: guards and points of a lattice on one circle would be an ambiguous case.
+            // Rotated a little: guards and points of a lattice on a common circle would be an ambiguous case.
             let (s, c) = libm::sincos(std::f64::consts::TAU * (k as f64 + 0.137) / GUARDS as f64);
             all.push(Corner::guard([middle[0] + reach * c, middle[1] + reach * s]));
         }

@@ -1,11 +1,11 @@
-//! Poisson discs: random points, none in the disc of another, so that no further one has room.
+//! Poisson discs: random points, none in the disc of another, with no room for a further one.
 //!
 //! After M. S. Ebeida, S. A. Mitchell, A. Patney, A. A. Davidson, J. D. Owens, "A simple algorithm for maximal Poisson-disk
-//! sampling in high dimensions", Computer Graphics Forum 31 (2012): darts go to the cells that no disc covers; after each
-//! round cells are cut in four. A disc is an ellipse of the metric at its centre, which may vary over the plane.
+//! sampling in high dimensions", Computer Graphics Forum 31 (2012): darts are thrown at the cells that no disc covers; after each
+//! round each cell is divided into four. A disc is an ellipse of the metric at its centre, which may vary over the plane.
 //!
-//! Every place then lies in some disc: of 2,000 round ones on a tile the largest empty circle had .9993–1.0000 of the radius, and a
-//! square of the radius held .693–.700 points (eight seeds).
+//! Every place then lies in a disc: with 2,000 round discs on a tile, the largest empty circle had .9993–1.0000 of the radius, and
+//! a square whose side is the radius held .693–.700 points on average (eight seeds).
 
 use rand::{Rng, RngExt};
 use rayon::prelude::*;
@@ -14,14 +14,15 @@ use smallvec::SmallVec;
 use super::extent::Extent;
 use super::metric::Metric;
 
-/// Points in a square whose side is the radius of a disc, with no room left.
+/// Points in a square whose side is the radius of a disc, when no room is left.
 pub const POINTS_A_SQUARE: f64 = 0.7;
-/// Darts thrown at each uncovered cell in a round; with 1 or 1.5 the time is the same within 10 %.
+/// Darts thrown at each uncovered cell in a round; with 1 or 1.5 the computing time is the same within 10 %.
 const DARTS: f64 = 0.6;
-/// Rounds: cells are then 2⁻¹⁴ of a radius wide, and what they leave uncovered cannot be seen.
+/// Rounds: the cells are then 2⁻¹⁴ of a radius wide, and uncovered remainders are invisible.
 const ROUNDS: u32 = 14;
 
-/// Discs that a bucket holds in place. As wide as the radius r of round discs it meets (1 + 4 + π)·r², 5.7 of them in the mean.
+/// Number of discs that a bucket holds without allocation. A bucket as wide as the radius r of round discs meets (1 + 4 + π)·r²,
+/// 5.7 discs on average.
 const IN_PLACE: usize = 12;
 
 /// A disc: its centre and the form of its metric.
@@ -38,7 +39,7 @@ impl Disc {
     }
 }
 
-/// Discs, found by place.
+/// Discs, searched by place.
 struct Placed<'a> {
     extent: &'a Extent,
     window: [[f64; 2]; 2],
@@ -46,7 +47,7 @@ struct Placed<'a> {
     size: [usize; 2],
     /// Discs and images of discs.
     discs: Vec<Disc>,
-    /// Of each bucket those that meet it, by their indices.
+    /// For each bucket, the indices of the discs that meet it.
     buckets: Vec<SmallVec<[u32; IN_PLACE]>>,
     points: Vec<[f64; 2]>,
 }
@@ -65,9 +66,9 @@ impl Placed<'_> {
         !self.near(at).any(|disc| disc.covers(at))
     }
 
-    /// The quarters of a cell that no disc covers alone, by their column and row; `half` are their sides.
+    /// The quarters of a cell that no single disc covers, by their column and row; `half` are their sides.
     ///
-    /// The middle of the cell is a corner of each, so that discs which do not cover it cover none of them.
+    /// The middle of the cell is a corner of each quarter, so only discs that cover it can cover a quarter.
     fn open_quarters(&self, [column, row]: [u32; 2], half: [f64; 2]) -> impl Iterator<Item = [u32; 2]> {
         let from = [2 * column, 2 * row];
         let lines =
@@ -102,8 +103,8 @@ impl Placed<'_> {
         }
     }
 
-    /// The shifts by which the disc at a point, within the box from `low` to `high`, meets the window. One that covers all of it is enough:
-    /// of a disc much larger than a tile the images are without number.
+    /// The shifts by which the disc at a point, within the box from `low` to `high`, meets the window. If one image covers the
+    /// whole window, it alone is returned: a disc much larger than a tile has very many images.
     fn images(&self, at: [f64; 2], metric: &Metric, [low, high]: [[f64; 2]; 2]) -> Vec<[f64; 2]> {
         let [first, last] = self.window;
         let middle = [0, 1].map(|axis| 0.5 * (first[axis] + last[axis]));
@@ -119,21 +120,22 @@ impl Placed<'_> {
     }
 }
 
-/// What laying discs of these radii takes.
+/// The cost of laying discs of given radii.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Laying {
-    /// About how many points there are, at most: large discs keep small ones farther away.
+    /// Upper estimate of the number of points: large discs keep small ones farther away.
     pub points: f64,
-    /// Buckets, by which discs are found.
+    /// Number of buckets.
     pub buckets: f64,
-    /// How often a place is tried, in tries of discs of one radius: where radii differ, the discs of each octave of them cover it.
+    /// Number of places tried, in units of the trials for discs of one radius: where radii differ, the discs of each octave of
+    /// radii cover the place.
     pub tries: f64,
-    /// How many times more points there are around a point than in the mean around a place; 1 of discs of one radius.
+    /// Density of points around a point ÷ mean density around a place; 1 for discs of one radius.
     pub crowding: f64,
 }
 
 impl Laying {
-    /// Of discs of `metric` at each place over `extent` and a `margin` of px, as [`poisson_discs`] lays them.
+    /// The cost for discs of `metric` at each place over `extent` and a `margin`, px, as [`poisson_discs`] lays them.
     #[must_use]
     pub fn new(extent: &Extent, margin: f64, metric: &dyn Fn([f64; 2]) -> Metric) -> Self {
         let window = extent.framed(margin);
@@ -155,7 +157,7 @@ impl Laying {
         }
     }
 
-    /// What laying these and others after them takes, of which all points are kept, and the buckets while they are laid.
+    /// The cost of laying these discs and then the `other` ones. All points are kept, but the buckets only while they are used.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
         Self {
@@ -167,10 +169,11 @@ impl Laying {
     }
 }
 
-/// Poisson discs of `metric` at each place, px, over `extent` and a `margin` of px beyond the axes that do not wrap; after
-/// the points `first`, which are taken as they are.
+/// Poisson discs of `metric` at each place, px, over `extent` and, along the axes that do not wrap, a `margin`, px. The points
+/// `first` are taken unchanged and come first.
 ///
-/// Of two points at least one lies on or beyond the disc of the other. Discs are not smaller than 1/2,000 of the longer side.
+/// Of any two points, at least one lies on the border or outside of the disc of the other. Discs are not smaller than 1/2,000 of
+/// the longer side.
 pub fn poisson_discs(
     extent: &Extent,
     margin: f64,
@@ -181,7 +184,7 @@ pub fn poisson_discs(
     let window = extent.framed(margin);
     let sides = [0, 1].map(|axis| window[1][axis] - window[0][axis]);
     let least = smallest(window, sides, metric);
-    // Cells whose diagonal is a radius of the smallest disc hold one point at most.
+    // Cells whose diagonal is the radius of the smallest disc hold at most one point.
     let size = sides.map(|side| ((side * std::f64::consts::SQRT_2 / least).ceil() as usize).max(1));
     let buckets = sides.map(|side| ((side / least).ceil() as usize).max(1));
     let mut placed = Placed {
@@ -214,11 +217,11 @@ pub fn poisson_discs(
     placed.points
 }
 
-/// Places along a side at which the metric is asked for its smallest radius.
+/// Number of places along each side at which the metric is sampled for its smallest radius.
 const SAMPLES: usize = 48;
-/// How many these are.
+/// Number of all sampled places.
 const PLACES: f64 = (SAMPLES * SAMPLES) as f64;
-/// Buckets along a side at most: no picture shows finer points, and memory goes with the square.
+/// Largest number of buckets along a side: no picture shows finer points, and the memory grows with the square.
 const MOST_BUCKETS: f64 = 2_000.0;
 
 /// The smallest half axis of the discs, px.

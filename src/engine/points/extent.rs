@@ -2,7 +2,7 @@
 
 use crate::grid::{Bounds, Edges};
 
-/// A rectangle from (0, 0) to `size`, px. Along an axis that wraps its two sides are one.
+/// A rectangle from (0, 0) to `size`, px. Along an axis that wraps, its two sides are identified.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extent {
     /// Width and height, px, both positive.
@@ -18,7 +18,7 @@ impl From<Bounds> for Extent {
 }
 
 impl Extent {
-    /// Whether a point lies on the rectangle or its border; along an axis that wraps every point does.
+    /// Whether a point lies on the rectangle or its border. Along an axis that wraps, every point does.
     #[must_use]
     pub fn contains(&self, at: [f64; 2]) -> bool {
         (0..2).all(|axis| self.wrap[axis] || (0.0..=self.size[axis]).contains(&at[axis]))
@@ -37,7 +37,7 @@ impl Extent {
         })
     }
 
-    /// `displacement` by the shortest of the routes across the borders that wrap.
+    /// The shortest of the images of `displacement` across the borders that wrap.
     #[must_use]
     pub fn shortest(&self, displacement: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|axis| {
@@ -50,8 +50,8 @@ impl Extent {
         })
     }
 
-    /// The shifts, px, whole sides each, by which a box from `low` to `high` meets the box from `window[0]` to `window[1]`.
-    /// The shift 0 alone along an axis that does not wrap.
+    /// The shifts, px, by whole sides, with which a box from `low` to `high` meets the box from `window[0]` to `window[1]`. Along
+    /// an axis that does not wrap, the only shift is 0.
     #[must_use]
     pub fn images(&self, low: [f64; 2], high: [f64; 2], window: [[f64; 2]; 2]) -> Vec<[f64; 2]> {
         let span = |axis: usize| -> Vec<f64> {
@@ -68,7 +68,7 @@ impl Extent {
         down.iter().flat_map(|y| across.iter().map(move |x| [*x, *y])).collect()
     }
 
-    /// Low and high corner of the rectangle with a `margin`, px, along the axes that do not wrap.
+    /// Low and high corner of the rectangle, extended by a `margin`, px, along the axes that do not wrap.
     #[must_use]
     pub fn framed(&self, margin: f64) -> [[f64; 2]; 2] {
         let beyond = self.wrap.map(|wrap| if wrap { 0.0 } else { margin });

@@ -24,36 +24,36 @@ use crate::grid::{Bounds, Field, Grid};
 pub use description::POINTS;
 pub use growing::FieldGrowth;
 
-/// A number at each place of the canvas, px; also asked beyond a closed border.
+/// A number for each place of the canvas, px; it is also evaluated beyond a closed border.
 pub type ByPlace<'a> = &'a (dyn Fn([f64; 2]) -> f64 + Sync);
 
-/// What gives points their values; each but [`Labelling::Values`] makes them dark (1) or light (0).
+/// The rule that gives points their values. Each except [`Labelling::Values`] makes them dark (1) or light (0).
 #[derive(Clone, Copy)]
 pub enum Labelling<'a> {
-    /// Random values from 0 to 1, one for each group of so many neighbours.
+    /// Random values from 0 to 1, one for each group of this number of neighbours.
     Values(usize),
-    /// Each dark with this probability at its place.
+    /// Each point is dark with this probability at its place.
     Random(ByPlace<'a>),
-    /// Each dark with this probability at its place; then so many passes in all, each with the field of the one before it as the
-    /// probability and 1 ÷ √2 of its radius.
+    /// Each point is dark with this probability at its place. Then passes up to this total number: each uses the field of the
+    /// previous pass as the probability, and 1 ÷ √2 of its radius.
     Reference(ByPlace<'a>, u32),
-    /// Cells of as many rays, from the first number to the second, round each disc.
+    /// Cells round each disc, with a random number of rays from the first number to the second.
     SpaceGiraffe([usize; 2]),
-    /// Clusters of so many points, all their neighbours light.
+    /// Clusters of this number of points, all their neighbours light.
     BreadthFirst(usize),
-    /// Clusters of so many points, grown as chains that wind, all their neighbours light.
+    /// Clusters of this number of points, grown as winding chains, all their neighbours light.
     DepthFirst(usize),
-    /// Clusters that take turns until every point is taken, one for so many points; light at their borders and so many rings
-    /// of neighbours farther in.
+    /// Clusters that claim points in turn until every point is taken, one cluster for this number of points. Points at the borders
+    /// of clusters are light, and this number of further rings of neighbours.
     RoundRobin(usize, usize),
-    /// Points drawn with this probability, the shortest paths between them, and so many rings round all these.
+    /// Points drawn with this probability, the shortest paths between them, and this number of rings of neighbours round both.
     Connected(f64, usize),
 }
 
-/// Where the weights of points are shifted to (eq. 4).
+/// The direction in which the weights of points are shifted (eq. 4).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shift {
-    /// To a random side, another one for each point.
+    /// A random direction, different for each point.
     Random,
     /// Away from the middle of the canvas.
     Outward,
@@ -65,27 +65,27 @@ pub enum Shift {
 pub struct PointField<'a> {
     /// The canvas and the cells of the field.
     pub grid: Grid,
-    /// Radius of the discs at a place, px: nearly the distance from a point to its nearest.
+    /// Radius of the discs at a place, px: roughly the distance from a point to its nearest neighbour.
     pub distance: ByPlace<'a>,
     /// The smallest and the largest of these radii, px.
     pub distances: [f64; 2],
-    /// What gives points their values.
+    /// The rule that gives points their values.
     pub labelling: Labelling<'a>,
     /// Whether each cell takes the value of the point of the highest weight, instead of the interpolated one.
     pub nearest: bool,
-    /// L, the length of the axes, as [`Weights::length`].
+    /// L, the length of the axes: see [`Weights::length`].
     pub axis: f64,
     /// ε of eq. 4, 0–1; 0 = no shift.
     pub strength: f64,
-    /// Where weights are shifted to.
+    /// The direction in which weights are shifted.
     pub shift: Shift,
-    /// Octaves, from 1 on.
+    /// Number of octaves, at least 1.
     pub octaves: u32,
     /// Whether each octave is folded at ½.
     pub fold: bool,
-    /// Places, px, where no point is dark; those of layers beneath.
+    /// Places, px, where no point is dark: the places of the layers beneath.
     pub blocked: Option<&'a (dyn Fn([f64; 2]) -> bool + Sync)>,
-    /// Seed of all that is random.
+    /// Seed of all random numbers.
     pub seed: u64,
 }
 
@@ -95,15 +95,16 @@ struct Valued {
     values: Vec<f32>,
 }
 
-/// Octaves and passes whose discs are smaller, in cells, are left out: a cell would show the mean of several.
+/// Octaves and passes with smaller discs, in cells, are left out: a cell would show the mean of several.
 const FINEST: f64 = 1.0;
-/// Seeds of octaves lie so far apart; an odd number, so that none repeats (2⁶⁴ ÷ the golden ratio).
+/// Difference between the seeds of successive octaves; an odd number, so that none repeats (2⁶⁴ ÷ the golden ratio).
 const OCTAVE_SEED: u64 = 0x9E37_79B9_7F4A_7C15;
-/// Discs beyond a closed border, in radii: the neighbours of those that reach the canvas, 2 for each length of an axis.
+/// Width of the frame of discs beyond a closed border, in radii: it holds the neighbours of those that reach the canvas, 2 for each
+/// length of an axis.
 const FRAME: f64 = 2.0;
 
 impl PointField<'_> {
-    /// The field, 0..1, and how many points it is made of.
+    /// The field, 0..1, and its number of points.
     #[must_use]
     pub fn grow(&self) -> (Field, usize) {
         let mut growth = FieldGrowth::new(self);
@@ -111,7 +112,7 @@ impl PointField<'_> {
         growth.complete(self)
     }
 
-    /// Whether discs of this `scale` can be seen.
+    /// Whether discs with this `scale` are visible.
     fn is_visible(&self, scale: f64) -> bool {
         scale * self.distances[0] >= FINEST * self.grid.px_a_cell()
     }
@@ -128,7 +129,7 @@ impl PointField<'_> {
         owners.into_iter().map(value).collect()
     }
 
-    /// Where each point shifts its weight to.
+    /// The direction in which each point shifts its weight.
     fn directions(&self, graph: &Delaunay, rng: &mut Pcg64Mcg) -> Vec<[f64; 2]> {
         if self.strength <= 0.0 {
             return Vec::new();
@@ -176,7 +177,7 @@ impl PointField<'_> {
             }
             Labelling::BreadthFirst(size) => self.clustered(&graph, size, Order::BreadthFirst, rng),
             Labelling::DepthFirst(size) => self.clustered(&graph, size, Order::DepthFirst, rng),
-            Labelling::RoundRobin(size, rings) => taking_turns(&graph, size, rings, rng),
+            Labelling::RoundRobin(size, rings) => round_robin_labels(&graph, size, rings, rng),
             Labelling::Connected(start, rings) => connected(&graph, start, rings, rng),
         };
         self.labelled(graph, &dark)
@@ -187,7 +188,7 @@ impl PointField<'_> {
         owner.into_iter().map(|owner| owner.is_some()).collect()
     }
 
-    /// Points of random labels in passes, each by the field of the one before it.
+    /// Points with random labels in several passes, each with the field of the previous one as the probability.
     fn passed(&self, first: ByPlace, passes: u32, scale: f64, rng: &mut Pcg64Mcg) -> Valued {
         let finer = |pass: u32| scale * 0.5f64.powf(0.5 * f64::from(pass));
         let mut graph = self.scattered(scale, rng);
@@ -210,7 +211,7 @@ impl PointField<'_> {
         Delaunay::new(&poisson_discs(&extent, frame, &metric, &[], rng), extent)
     }
 
-    /// 1 at dark points that may be.
+    /// The values of points: 1 where a point is dark and not blocked, otherwise 0.
     fn labelled(&self, graph: Delaunay, dark: &[bool]) -> Valued {
         let is_blocked = |at: [f64; 2]| self.blocked.is_some_and(|blocked| blocked(at));
         let value = |(at, dark): (&[f64; 2], &bool)| f32::from(u8::from(*dark && !is_blocked(*at)));
@@ -225,7 +226,7 @@ pub fn frame(axis: f64, largest: f64) -> f64 {
     (FRAME + FRAME * axis) * largest
 }
 
-/// The claims of clusters that take the nearest free point, whatever it is, until none is left.
+/// The claims of clusters that take the nearest free point without any condition, until none is left.
 struct Nearest;
 
 impl Claim for Nearest {
@@ -242,8 +243,8 @@ impl Claim for Nearest {
     }
 }
 
-/// Whether each point is dark by clusters of about `size` points that take turns.
-fn taking_turns(graph: &Delaunay, size: usize, rings: usize, rng: &mut Pcg64Mcg) -> Vec<bool> {
+/// Whether each point is dark, for clusters of about `size` points that claim points in turn.
+fn round_robin_labels(graph: &Delaunay, size: usize, rings: usize, rng: &mut Pcg64Mcg) -> Vec<bool> {
     let count = (graph.points.len() / size.max(1)).max(1).min(graph.points.len());
     let mut points: Vec<usize> = (0..graph.points.len()).collect();
     labels::shuffle(&mut points, rng);
@@ -251,10 +252,11 @@ fn taking_turns(graph: &Delaunay, size: usize, rings: usize, rng: &mut Pcg64Mcg)
     bordered(graph, &owner, rings)
 }
 
-/// About how many points discs of these radii make, of `octaves`: of `px` of the canvas, by the mean of distance⁻² over it.
+/// Approximate number of points of discs with these radii and number of octaves, for a canvas in px: from the mean of distance⁻²
+/// over it.
 #[must_use]
 pub fn expected_points(canvas: &Bounds, distance: ByPlace, octaves: u32) -> f64 {
-    /// Places along a side at which the distance is asked.
+    /// Number of sampled places along each side.
     const SAMPLES: usize = 16;
     let place = |k: usize, axis: usize| (k as f64 + 0.5) / SAMPLES as f64 * canvas.size[axis];
     let at = |k: usize| [place(k % SAMPLES, 0), place(k / SAMPLES, 1)];

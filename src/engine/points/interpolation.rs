@@ -11,14 +11,15 @@
 //!       K = ε·(u − cᵢ)·vᵢ ÷ |u − cᵢ|
 //! ```
 //!
-//! Wᵢ is above 0 where p < 1 for all axes: in the Voronoi cell of cᵢ (p < ½ at L = 1) scaled by 2L about cᵢ. The cells
-//! cover the plane once, so each place lies in 4L² supports on average, however many points there are.
+//! Wᵢ is above 0 where p < 1 for all axes: in the Voronoi cell of cᵢ (p < ½ at L = 1) scaled by 2L about cᵢ. The cells cover the
+//! plane exactly once, so each place lies in 4L² supports on average, whatever the number of points.
 //!
-//! Along a row of px each p is linear, and the px inside a support are one run. Only these are computed: the ends of the run
-//! come from one division an axis and row, and the axes that point away from the whole run are left out.
+//! Along a row of px each p is linear, and the px inside a support are one run. Only these are computed: the ends of the run need
+//! one division for each axis and row, and the axes that point away from the whole run are left out.
 //!
-//! Rows are computed in bands on all threads; each adds the points up in their order, so that neither the number of threads nor
-//! the bands change a bit. Images of a point beyond a border that wraps are added like points, so that tiles have no seam.
+//! Rows are computed in bands on all threads. Each band adds the points up in order, so that the result is the same to the last bit
+//! for any number of threads and bands. Images of a point beyond a border that wraps are added like points, so that tiles have no
+//! seam.
 
 use std::ops::Range;
 
@@ -27,22 +28,23 @@ use rayon::prelude::*;
 use super::delaunay::Delaunay;
 use crate::grid::{Field, Grid, exp, ln};
 
-/// How values are interpolated.
+/// Settings of the interpolation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weights<'a> {
-    /// L, the length of the axes in edges, [`Weights::SHORTEST`]–[`Weights::LONGEST`]. At 1 values are exact at the points,
-    /// more smooths.
+    /// L, the length of the axes in edges, [`Weights::SHORTEST`]–[`Weights::LONGEST`]. At 1 the field has the exact values at the
+    /// points; larger lengths smooth it.
     pub length: f64,
-    /// Directions to which points shift their weight.
+    /// Directions in which points shift their weight.
     pub orientation: Option<Orientation<'a>>,
 }
 
 /// The shift of eq. 4.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Orientation<'a> {
-    /// ε, 0–1. Measured by the paper's rule of the highest weight: .1 relabels 3 % of the px, .5 15–20 %, .9 37–44 %.
+    /// ε, 0–1. Share of px whose label changes under the paper's rule of the highest weight: 3 % at .1, 15–20 % at .5, 37–44 % at
+    /// .9.
     pub strength: f64,
-    /// vᵢ: of each point the part of a unit vector that lies in the plane. [0, 0] shifts nothing.
+    /// vᵢ: for each point the component in the plane of a unit vector. [0, 0] shifts nothing.
     pub directions: &'a [[f64; 2]],
 }
 
@@ -53,24 +55,24 @@ impl Default for Weights<'_> {
 }
 
 impl Weights<'_> {
-    /// At ½ supports touch but no longer overlap; below, places are left without weight.
+    /// At ½ the supports touch but do not overlap; below, some places have no weight.
     pub const SHORTEST: f64 = 0.6;
-    /// The time grows with L²: sixty-four supports a px.
+    /// The time grows with L²: at 4 there are sixty-four supports for each px.
     pub const LONGEST: f64 = 4.0;
 }
 
-/// Rows of a band. Bands are the same for any number of threads.
+/// Rows in a band, the same for any number of threads.
 const BAND: usize = 16;
 
-/// The interpolated field of `values`, one a point of `graph`, on `grid`, whose canvas is the graph's extent.
+/// The interpolated field of `values`, one for each point of `graph`, on `grid`, whose canvas is the graph's extent.
 ///
-/// A place that no point reaches, as there is only without points, gets 0. Missing values are 0.
+/// If there are no points, the field is 0. Missing values are 0.
 #[must_use]
 pub fn interpolate(graph: &Delaunay, values: &[f32], grid: &Grid, weights: &Weights) -> Field {
     Interpolator::new(graph, grid, weights).field(values)
 }
 
-/// Interpolates several sets of values at the same points.
+/// Interpolation of several sets of values at the same points.
 pub struct Interpolator<'a>(Supports<'a>);
 
 impl<'a> Interpolator<'a> {
@@ -91,7 +93,8 @@ impl<'a> Interpolator<'a> {
         Field::new(grid, out)
     }
 
-    /// Makes `field` that of `values`, where it is that of values which differed at the points of `changed` alone.
+    /// Replaces the values of `field` by the field of `values`, if the previous values differ only at the points marked in
+    /// `changed`.
     pub fn update(&self, field: &mut Field, values: &[f32], changed: &[bool]) {
         let bands = field.values.par_chunks_mut(BAND * self.0.grid.size[0]).zip(&self.0.bands).enumerate();
         let is_changed = |image: &Image| changed.get(image.point as usize).is_some_and(|changed| *changed);
@@ -101,7 +104,7 @@ impl<'a> Interpolator<'a> {
         });
     }
 
-    /// Adds up the rows of a band, which are 0 before.
+    /// Adds the rows of a band to `sums`, which must be 0 before.
     fn interpolate_band(&self, band: usize, sums: &mut [f32], values: &[f32]) {
         let nx = self.0.grid.size[0];
         let mut totals = vec![0.0f32; sums.len()];
@@ -122,9 +125,10 @@ impl<'a> Interpolator<'a> {
     }
 }
 
-/// The point of the highest weight at each cell of `grid`, by row; [`NOBODY`] without points. Of equals the first.
+/// The point of the highest weight at each cell of `grid`, by row; [`NOBODY`] if there are no points. If weights are equal, the
+/// first point.
 ///
-/// These are the paper's cells: nearly those of Voronoi, with bent borders.
+/// These are the paper's cells: similar to Voronoi cells, with bent borders.
 #[must_use]
 pub fn highest_weight(graph: &Delaunay, grid: &Grid, weights: &Weights) -> Vec<u32> {
     let supports = Supports::new(graph, grid, weights);
@@ -148,10 +152,10 @@ pub fn highest_weight(graph: &Delaunay, grid: &Grid, weights: &Weights) -> Vec<u
     out
 }
 
-/// Stands for no point.
+/// Index that means "no point".
 pub const NOBODY: u32 = u32::MAX;
 
-/// A point or an image of one whose support meets rows of the grid.
+/// A point, or an image of a point, whose support meets rows of the grid.
 #[derive(Clone, Copy)]
 struct Image {
     point: u32,
@@ -244,7 +248,7 @@ impl<'a> Supports<'a> {
         (run.start < run.end).then_some(run)
     }
 
-    /// The weights, eq. 2, of the px from [x, y] (from the centre) on.
+    /// The weights, eq. 2, of successive px from [x, y] (relative to the centre) on.
     fn weigh(&self, slopes: &[[f64; 2]], [x, y]: [f64; 2], weights: &mut [f32]) {
         let cell = self.grid.cell[0];
         weights.fill(1.0);
@@ -264,7 +268,7 @@ impl<'a> Supports<'a> {
         }
     }
 
-    /// Eq. 4.
+    /// The shift of the weights, eq. 4.
     fn shift(&self, strength: f64, direction: [f64; 2], [x, y]: [f64; 2], weights: &mut [f32]) {
         if direction == [0.0; 2] {
             return;
@@ -274,7 +278,7 @@ impl<'a> Supports<'a> {
             let away = (dx * dx + y * y).sqrt();
             if *weight > 0.0 && away > 0.0 {
                 let turned = strength * (dx * direction[0] + y * direction[1]) / away;
-                // At K = −1 the exponent has no end: 1 ÷ .001 takes any weight below 1 away as well.
+                // At K = −1 the exponent is infinite: 1 ÷ .001 also reduces any weight below 1 to nearly 0.
                 let exponent = if turned >= 0.0 { 1.0 - turned } else { 1.0 / (1.0 + turned).max(1e-3) };
                 *weight = exp(exponent * ln(f64::from(*weight))) as f32;
             }

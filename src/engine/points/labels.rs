@@ -19,13 +19,13 @@ pub use round_robin::{Claim, bordered, round_robin};
 pub use space_giraffe::space_giraffe;
 pub use streaks::streaks;
 
-/// Each of `points` dark with the probability `dark` at its place: the cow of figure 11, the progressions of figure 17.
+/// Each of `points` is dark with the probability `dark` at its place: the cow of figure 11, the progressions of figure 17.
 pub fn random(points: &[[f64; 2]], dark: impl Fn([f64; 2]) -> f64, rng: &mut impl Rng) -> Vec<bool> {
     points.iter().map(|at| rng.random::<f64>() < dark(*at)).collect()
 }
 
-/// Each of `points`, px of the canvas that `reference` covers, dark with the value there as the probability: figures 13 and 14.
-/// Beyond its border a point takes the value of the nearest place, or of its image.
+/// Each of `points`, px of the canvas that `reference` covers, is dark with the value there as the probability: figures 13 and 14.
+/// Beyond the border a point takes the value of the nearest place, or of its image.
 pub fn by_reference(points: &[[f64; 2]], reference: &Field, rng: &mut impl Rng) -> Vec<bool> {
     let bounds = reference.grid().bounds_px();
     let cell = |at: [f64; 2], axis: usize| (at[axis] / reference.cell[axis]) as isize;

@@ -1,23 +1,24 @@
-//! The level at which a field has an area, and the field brought to a pattern with its edges at ½.
+//! The level above which a field has a given area, and the field rescaled to a pattern with its edges at ½.
 
 use rayon::prelude::*;
 
 use crate::grid::Field;
 
-/// The share of the canvas above `level`, 0..1. A cell counts by how far the field's slope puts the level inside it, so that
-/// shares are not steps of a cell.
+/// The share of the canvas above `level`, 0..1. The level divides a cell by the field's slope in it, so that the share is a
+/// continuous function of the level.
 #[must_use]
 pub fn share_above(field: &Field, level: f32) -> f64 {
     share_above_beside(field, level, &[])
 }
 
-/// The share of the cells that are not `taken` above `level`, 0..1; of all cells where `taken` is empty. 0 where none is left.
+/// The share, 0..1, of the cells that are not `taken` which lies above `level`. If `taken` is empty, all cells count. 0 if no cell
+/// is left.
 #[must_use]
 pub fn share_above_beside(field: &Field, level: f32, taken: &[bool]) -> f64 {
     share(field, &slopes(field), level, taken)
 }
 
-/// How far the values of each cell reach from its centre's to its corners: half of the steps to its neighbours, summed.
+/// Difference between the value at the centre and at the corners of each cell: half of the steps to its neighbours, summed.
 fn slopes(field: &Field) -> Vec<f32> {
     let mut slopes = vec![0.0; field.values.len()];
     slopes.par_chunks_mut(field.width.max(1)).enumerate().for_each(|(y, slopes)| {
@@ -51,16 +52,16 @@ fn share(field: &Field, slopes: &[f32], level: f32, taken: &[bool]) -> f64 {
         let cells = row.iter().zip(slopes).enumerate().filter(|(x, _)| free(*x));
         cells.map(|(_, cell)| inside(cell)).sum::<f64>()
     };
-    // Summed row by row, so that sums do not depend on the number of threads.
+    // Summed row by row, so that the sums do not depend on the number of threads.
     let rows: Vec<f64> = rows.map(of_row).collect();
     let free = field.values.len() - taken.iter().filter(|taken| **taken).count();
     rows.iter().sum::<f64>() / free.max(1) as f64
 }
 
-/// Halvings of the range 0..1: a level to 2⁻¹⁶ moves no edge by a hundredth of a px.
+/// Bisections of the range 0..1: an error of 2⁻¹⁶ in the level moves no edge by a hundredth of a px.
 const HALVINGS: usize = 16;
 
-/// The level between 0 and 1 above which this `wanted` share of the canvas lies, 0..1.
+/// The level between 0 and 1 above which the share `wanted` of the canvas lies, 0..1.
 ///
 /// ```
 /// use dapple_engine::grid::{Edges, Field};
@@ -75,8 +76,8 @@ pub fn level_of_share(field: &Field, wanted: f64) -> f32 {
     level_of_share_beside(field, wanted, &[])
 }
 
-/// The level between 0 and 1 above which this `wanted` share, 0..1, of the cells that are not `taken` lies; of all cells where
-/// `taken` is empty.
+/// The level between 0 and 1 above which the share `wanted`, 0..1, of the cells that are not `taken` lies. If `taken` is empty, all
+/// cells count.
 #[must_use]
 pub fn level_of_share_beside(field: &Field, wanted: f64, taken: &[bool]) -> f32 {
     let slopes = slopes(field);
@@ -88,14 +89,15 @@ pub fn level_of_share_beside(field: &Field, wanted: f64, taken: &[bool]) -> f32 
     0.5 * (low + high)
 }
 
-/// Maps a field of 0..1 to one whose level for this `share` of the canvas is ½, linearly below and above it. Gives that level.
+/// Rescales a field of 0..1 so that its level for this `share` of the canvas becomes ½, linearly below and above it. Returns the
+/// previous level.
 pub fn relevel(field: &mut Field, share: f64) -> f32 {
     let level = level_of_share(field, share).clamp(LEAST, 1.0 - LEAST);
     relevel_at(field, level);
     level
 }
 
-/// Maps a field of 0..1 to one with ½ where it has this `level`, linearly below and above it.
+/// Rescales a field of 0..1 so that this `level` becomes ½, linearly below and above it.
 pub fn relevel_at(field: &mut Field, level: f32) {
     let level = level.clamp(LEAST, 1.0 - LEAST);
     for value in &mut field.values {
@@ -104,8 +106,8 @@ pub fn relevel_at(field: &mut Field, level: f32) {
     }
 }
 
-/// Maps a field of 0..1 to one with ½ where it has this `level`: v·(1 − l) ÷ (l + v·(1 − 2l)). Other than that of [`relevel`] it has no kink at the
-/// edge, which a spline through the cells would move where the level is far from ½.
+/// Rescales a field of 0..1 so that this `level` becomes ½: v·(1 − l) ÷ (l + v·(1 − 2l)). Unlike [`relevel`], it has no kink at the
+/// edge. A spline through the cells would shift the edge at such a kink if the level is far from ½.
 pub fn relevel_smoothly(field: &mut Field, level: f32) {
     let level = level.clamp(LEAST, 1.0 - LEAST);
     for value in &mut field.values {
@@ -113,7 +115,7 @@ pub fn relevel_smoothly(field: &mut Field, level: f32) {
     }
 }
 
-/// Levels nearer to 0 or 1 would make a cliff of the field.
+/// Least distance of the level from 0 and 1: nearer levels would make the slope too steep.
 const LEAST: f32 = 0.02;
 
 #[cfg(test)]
@@ -122,7 +124,7 @@ mod tests {
     use crate::grid::Edges;
 
     #[test]
-    fn a_share_is_that_of_the_disc_that_was_drawn() {
+    fn the_share_above_a_level_is_the_share_of_the_disc() {
         let cone = Field::from_fn([90, 70], [1.0, 1.0], Edges::Closed, |[x, y]| {
             (1.0 - libm::hypot(x - 44.3, y - 35.8) / 40.0) as f32
         });
@@ -135,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn a_smoothly_levelled_field_keeps_its_ends_and_its_order() {
+    fn smooth_rescaling_keeps_the_ends_and_the_order() {
         for level in [0.1, 0.5, 0.8f32] {
             let values = vec![0.0, 0.05, 0.1, 0.3, 0.5, 0.8, 0.9, 1.0];
             let mut field = Field { values, ..Field::flat(8, 1, Edges::Closed, 0.0) };

@@ -1,10 +1,10 @@
 //! Lines of points: ragged streaks along a direction, and nets of cracks (after the paper's figures 23, and 19 and 20).
 //!
-//! 1. Poisson discs whose radius follows from the width (or the period) that is wanted at their place.
+//! 1. Poisson discs whose radius follows from the wanted width (or period) at their place.
 //! 2. Streaks: chains along the direction ([`streaks()`]). Cracks: coarse discs are the knots of a net, and the fine points on the
-//!    shortest ways between neighbouring knots are dark ([`net()`]).
-//! 3. Labels 0 and 1, interpolated with L = 1.2. The level decides the share of the canvas that the lines cover, and the scale of all
-//!    discs their width; the caller finds both.
+//!    shortest paths between neighbouring knots are dark ([`net()`]).
+//! 3. Labels 0 and 1, interpolated with L = 1.2. The level determines the share of the canvas that the lines cover, and the scale
+//!    of all discs their width; the caller finds both.
 
 mod description;
 mod laid;
@@ -23,21 +23,21 @@ pub use description::{CRACKS, STREAKS};
 pub use laid::LaidLines;
 use laid::middles;
 
-/// What is wanted of the lines around a place.
+/// The wanted properties of the lines around a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WantedLines {
     /// Width, px.
     pub width: f64,
     /// The share of the canvas that they cover, 0..1.
     pub share: f64,
-    /// Direction, degrees; cracks have none.
+    /// Direction, degrees; not used for cracks.
     pub angle: f64,
 }
 
-/// Which lines grow.
+/// The kind of lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Course {
-    /// Along the wanted direction, so many points each.
+    /// Along the wanted direction, with this number of points each.
     Streaks(f64),
     /// Round the meshes of a net.
     Cracks,
@@ -47,30 +47,30 @@ pub enum Course {
 pub struct Lines<'a> {
     /// The canvas and the cells of the field.
     pub grid: Grid,
-    /// What is wanted at a place, px, also beyond a closed border.
+    /// The wanted lines at a place, px, also beyond a closed border.
     pub wanted: &'a (dyn Fn([f64; 2]) -> WantedLines + Sync),
-    /// Places, px, where no line may be; those of layers beneath.
+    /// Places, px, where no line may be: the places of the layers beneath.
     pub blocked: Option<&'a (dyn Fn([f64; 2]) -> bool + Sync)>,
-    /// Which lines grow.
+    /// The kind of lines.
     pub course: Course,
-    /// Factor of all discs' radii.
+    /// Factor of the radii of all discs.
     pub scale: f64,
-    /// Seed of all that is random.
+    /// Seed of all random numbers.
     pub seed: u64,
 }
 
-/// Period of streaks ÷ radius of their points, where they cover `.45`: the chains are next but one neighbours.
+/// Period of streaks ÷ radius of their points, if streaks cover `.45`: one row of light points lies between two chains.
 const PERIOD: f64 = 2.7;
-/// Width of cracks ÷ radius of their points: of single lines, and what knots add by the share that is covered (1.28–1.66 at shares
-/// .14–.39).
+/// Width of cracks ÷ radius of their points: for single lines, and the increase by knots for a covered share of 1 (1.28–1.66 at
+/// shares of .14–.39).
 const CRACK: [f64; 2] = [1.1, 1.4];
-/// Radius of the knots' discs × share ÷ radius of the points, at the level ½ (1.97–2.45 at shares .39–.14).
+/// Radius of the knots' discs × share ÷ radius of the points, at the level ½ (2.45–1.97 at shares of .14–.39).
 const MESH: f64 = 2.2;
-/// Neighbouring knots are joined from this clearance on: with it the net has a quarter less length than
-/// that of all triangles, and meshes of four and five sides among them.
+/// Least clearance at which neighbouring knots are joined: the net is then a quarter shorter than the net of all triangles, and
+/// some meshes have four and five sides.
 const JOINED: f64 = 0.3;
-/// One of so many knots is where cracks begin in a film: with fewer starts the canvas is half empty for most of the film, with more it
-/// fills everywhere at once.
+/// One of this number of knots is a start of the cracks in a film. With fewer starts the canvas is half empty for most of the film;
+/// with more it fills everywhere at the same time.
 const KNOTS_A_START: usize = 12;
 /// Width of the frame beyond closed borders, in radii of the points of streaks, or of the knots.
 const FRAMES: [f64; 2] = [6.0, 2.0];
@@ -82,7 +82,7 @@ impl Lines<'_> {
         self.laid().field(&self.grid)
     }
 
-    /// The points that they are made of, with their labels.
+    /// The labelled points of the lines.
     #[must_use]
     pub fn laid(&self) -> LaidLines {
         let extent = Extent::from(self.grid.bounds_px());
@@ -111,7 +111,7 @@ impl Lines<'_> {
         }
     }
 
-    /// What laying the points takes.
+    /// The cost of laying the points.
     #[must_use]
     pub fn laying(&self) -> Laying {
         let extent = Extent::from(self.grid.bounds_px());
@@ -140,7 +140,7 @@ impl Lines<'_> {
     }
 }
 
-/// Radius of the discs from which such lines are made, px.
+/// Radius of the discs for such lines, px.
 #[must_use]
 pub fn radius(course: Course, wanted: &WantedLines) -> f64 {
     match course {
@@ -149,7 +149,7 @@ pub fn radius(course: Course, wanted: &WantedLines) -> f64 {
     }
 }
 
-/// Radius of the discs of the knots of such cracks, px.
+/// Radius of the discs of the knots for such cracks, px.
 #[must_use]
 pub fn mesh(wanted: &WantedLines) -> f64 {
     radius(Course::Cracks, wanted) * MESH / wanted.share
@@ -178,7 +178,7 @@ mod tests {
         }
     }
 
-    /// Steps between cells that differ, along x and along y.
+    /// Number of steps between differing cells, along x and along y.
     fn steps(field: &Field) -> [usize; 2] {
         let above = |x: usize, y: usize| field.get(x as isize, y as isize) > 0.5;
         let cells = (0..field.height).flat_map(|y| (0..field.width).map(move |x| (x, y)));
@@ -190,7 +190,7 @@ mod tests {
 
     #[test]
     fn streaks_run_along_their_direction_and_cracks_along_none() {
-        // Of straight lines at 30° the ratio is tan 30° = .58.
+        // For straight lines at 30° the ratio is tan 30° = .58.
         let ratio = |[across, down]: [usize; 2]| across as f64 / down as f64;
         let streaks = ratio(steps(&grown(Course::Streaks(24.0), 0.4).0));
         let cracks = ratio(steps(&grown(Course::Cracks, 0.2).0));

@@ -1,11 +1,11 @@
-//! Lengths by direction: an ellipse that stands for 1.
+//! Lengths that depend on the direction: an ellipse is the unit circle.
 
-/// The quadratic form of an ellipse: d² = xx·x² + 2·xy·x·y + yy·y² is 1 on it.
+/// The quadratic form of an ellipse: d² = xx·x² + 2·xy·x·y + yy·y² is 1 on the ellipse.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Metric {
     /// Coefficients, 1/px².
     pub form: [f64; 3],
-    /// Half the width and half the height of the ellipse, px.
+    /// Half the width and half the height of the ellipse's bounding box, px.
     pub half: [f64; 2],
     /// Radius of the circle of the same area, px.
     pub radius: f64,
@@ -38,7 +38,7 @@ impl Metric {
         Self { form, half, radius }
     }
 
-    /// Square of the length of `displacement`, px, in ellipses.
+    /// Square of the length of `displacement`, px, where the ellipse has the radius 1.
     #[must_use]
     pub fn square(&self, [x, y]: [f64; 2]) -> f64 {
         self.form[0] * x * x + 2.0 * self.form[1] * x * y + self.form[2] * y * y
@@ -50,7 +50,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_ellipse_is_as_long_as_its_axes_along_them() {
+    fn displacements_along_the_half_axes_have_length_1() {
         let metric = Metric::ellipse(6.0, 0.25, 30.0);
         let (s, c) = libm::sincos(30f64.to_radians());
         assert!((metric.square([12.0 * c, 12.0 * s]) - 1.0).abs() < 1e-12);

@@ -6,15 +6,16 @@
 //!                          └──────── fields, patches, lines, noise, roughened are made of these
 //! ```
 //!
-//! After the paper on procedural textures by partition of unity parametrics, a way of modelling by A. Runions and F. Samavati, which
-//! the comments call the paper: points are scattered over the plane, joined by their Delaunay graph, given values, and the
-//! values are interpolated along the graph's edges. The equations stand in [`interpolation`].
+//! After the paper on procedural textures by partition of unity parametrics, a modelling method of A. Runions and F. Samavati,
+//! which the comments call the paper: points are scattered over the plane, joined by their Delaunay graph and given values, which
+//! are interpolated along the graph's edges. The equations are in [`interpolation`].
 //!
-//! Two ways to a picture. The paper gives each px the label of the point of the highest weight
-//! ([`interpolation::highest_weight`]), which makes polygons. Interpolating labels 0 and 1 and cutting at the level of a wanted share
-//! ([`level`]) makes smooth organic edges, and it is the pattern of the other rooms: 0..1, ½ = edge.
+//! There are two methods. The paper gives each px the label of the point of the highest weight ([`interpolation::highest_weight`]),
+//! which makes polygons. Interpolating labels 0 and 1 and cutting at the level of a wanted share ([`level`]) makes smooth organic
+//! edges; the result is a pattern as in the other rooms: 0..1, ½ = edge.
 //!
-//! Its figures, with the unit of length a side of the tile (r: radius of the discs; what was tried: `facts.md` U):
+//! The paper's figures; the unit of length is a side of the tile (r: radius of the discs; other values that were tried: `facts.md`
+//! U):
 //!
 //! | figure | made by |
 //! |---|---|
@@ -27,11 +28,11 @@
 //! | 15–17 progressions | [`discs::poisson_discs`] with a map of radii; [`labels::random`] with a map |
 //! | 19, 20 connected | [`labels::connected`], start 3–4 % |
 //! | 22, 23 breadth, depth first | [`labels::clusters`], r .02–.03, 8–40 points |
-//! | 19, 23 with what is wanted of them | [`lines::Lines`] |
+//! | 19, 23 with given width and share | [`lines::Lines`] |
 //! | 24 round robin | [`labels::round_robin`] and [`labels::bordered`], 60 centres, r .012 |
 //!
-//! Lengths are px. Every function that draws random numbers takes them from a generator or a seed; results depend neither on the
-//! number of threads nor on the processor.
+//! Lengths are px. Every function that draws random numbers takes a generator or a seed. Results depend neither on the number of
+//! threads nor on the processor.
 
 pub mod appearance;
 pub mod centers;
@@ -47,5 +48,6 @@ pub mod metric;
 pub mod noise;
 pub mod patches;
 pub mod roughened;
+pub mod solid_noise;
 pub mod voronoi;
 mod ways;

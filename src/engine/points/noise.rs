@@ -19,9 +19,9 @@ use crate::grid::{Field, Grid};
 /// Noise over a canvas.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Noise {
-    /// Radius of the discs of the first octave, px: nearly the distance from a light place to the next dark one.
+    /// Radius of the discs of the first octave, px: roughly the distance from a light place to the next dark one.
     pub radius: f64,
-    /// Octaves, 1–[`Noise::MOST_OCTAVES`], each of half the radius and half the weight of the one before it.
+    /// Octaves, 1–[`Noise::MOST_OCTAVES`], each with half the radius and half the weight of the previous one.
     pub octaves: u32,
     /// Whether each octave is folded at its mean value.
     pub fold: bool,
@@ -32,7 +32,7 @@ pub struct Noise {
 impl Noise {
     /// An eighth octave has 1/128 of the weight of the first: less than half a step of an 8-bit picture.
     pub const MOST_OCTAVES: u32 = 8;
-    /// Octaves whose discs are smaller, in cells, are left out: a cell would show the mean of several.
+    /// Octaves with smaller discs, in cells, are left out: a cell would show the mean of several.
     const FINEST: f64 = 1.0;
 
     /// The noise on the cells of `grid`, 0..1.
@@ -61,10 +61,10 @@ impl Noise {
     }
 }
 
-/// Seeds of octaves lie so far apart; an odd number, so that none repeats (2⁶⁴ ÷ the golden ratio).
+/// Difference between the seeds of successive octaves; an odd number, so that none repeats (2⁶⁴ ÷ the golden ratio).
 const OCTAVE_SEED: u64 = 0x9E37_79B9_7F4A_7C15;
-/// Width of the frame beyond a border that does not wrap, in radii: a point there is in the support of at most 2 radii, and
-/// its neighbours 2 farther.
+/// Width of the frame beyond a border that does not wrap, in radii: a place on the canvas is in supports of at most 2 radii, and
+/// the neighbours of their points are 2 farther.
 const MARGIN: f64 = 4.0;
 
 #[cfg(test)]
@@ -79,7 +79,7 @@ mod tests {
         (mean, square.sqrt())
     }
 
-    /// Correlation of the values `away` px apart along x.
+    /// Correlation of the values at a distance of `away` px along x.
     fn correlation(field: &Field, away: usize) -> f64 {
         let (mean, deviation) = moments(field);
         let pairs = (0..field.height).flat_map(|y| (0..field.width).map(move |x| (x as isize, y as isize)));
@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn noise_is_alike_within_a_radius_and_not_beyond_two() {
+    fn noise_is_correlated_within_a_radius_and_not_beyond_two() {
         for radius in [8.0, 16.0] {
             let grid = Grid::unit([256, 256], Edges::Wrap);
             let field = Noise { radius, octaves: 1, fold: false, seed: 3 }.field(&grid);
@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn octaves_add_fine_steps_and_folding_leads_all_values_down_from_the_mean() {
+    fn octaves_add_fine_detail_and_folding_makes_the_mean_the_minimum() {
         let grid = Grid::unit([128, 128], Edges::Wrap);
         let noise = Noise { radius: 16.0, octaves: 1, fold: false, seed: 3 };
         let steps = |octaves| correlation(&Noise { octaves, ..noise }.field(&grid), 3);

@@ -2,16 +2,16 @@
 //!
 //! 1. Centres at the wanted spacing in the metric of aspect and direction (`centers`).
 //! 2. Fine Poisson discs, `detail` points a patch: radius √(.7·area ÷ detail).
-//! 3. Round robin: each centre claims the point beside its patch of least metric distance × exp(σ·N(0, 1)), never one beside
+//! 3. Round robin: each centre claims the point beside its patch with the least metric distance × exp(σ·N(0, 1)), never one beside
 //!    another patch, until its area is reached.
 //! 4. Labels 0 and 1, interpolated with L = 1.2; the level that gives the wanted area becomes ½.
 //!
-//! Which σ and aspect give the wanted raggedness and aspect is said by [`laws`], which were measured (`facts.md` U).
+//! The values of σ and aspect for a wanted raggedness and aspect follow from [`laws`], which were measured (`facts.md` U).
 //!
-//! A *kept* outline is reproduced: the field is ½ along it and follows the distance from it (`kept`). No other patch claims points in it
-//! or nearer to it than they are to each other.
+//! A *kept* outline is reproduced: the field is ½ along it and depends on the distance from it (`kept`). No other patch claims
+//! points in it or closer to it than patches are to each other.
 //!
-//! Patches that vary ask each for an area, aspect and direction of its own (`variation`).
+//! For varying patches, each patch has a wanted area, aspect and direction of its own (`variation`).
 
 mod description;
 mod fringe;
@@ -46,7 +46,7 @@ use mending::Labelled;
 pub use outline::Outline;
 pub use outlines::Outlines;
 
-/// What is wanted of the patches around a place.
+/// The wanted properties of the patches around a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wanted {
     /// Area, px².
@@ -57,9 +57,9 @@ pub struct Wanted {
     pub aspect: f64,
     /// Direction of the major axis, degrees.
     pub angle: f64,
-    /// Contour² ÷ that of the ellipse of the same moments, from 1: see `measure`.
+    /// Contour² ÷ contour² of the ellipse of the same moments, at least 1: see `measure`.
     pub raggedness: f64,
-    /// How much patches differ from this in area, aspect and angle. Its spacing has no effect.
+    /// Variation of the patches around these values of area, aspect and angle. The spread of the spacing has no effect.
     pub spread: Spread,
 }
 
@@ -69,17 +69,17 @@ impl From<Wanted> for Pitch {
     }
 }
 
-/// How far ragged patches reach from their centre, half major axes of their ellipse: farther ones would be threads.
+/// Reach of ragged patches from their centre, in half major axes of their ellipse: parts farther away would be threads.
 const REACH: f64 = 2.3;
 
-/// How far, px, patches reach from their centres: those beyond a closed border by more are not seen.
+/// Reach of patches from their centres, px: patches farther than this beyond a closed border are not visible.
 fn reach(extent: &Extent, wanted: &dyn Fn([f64; 2]) -> Wanted) -> f64 {
     centers::largest(extent, wanted, |wanted| {
         REACH * (wanted.area / (std::f64::consts::PI * wanted.aspect.clamp(centers::LONGEST, 1.0))).sqrt()
     })
 }
 
-/// How exactly centres are laid: more tries bring less than the scatter of the patches.
+/// Accuracy with which centres are laid: further attempts gain less than the random variation of the patches.
 const EFFORT: Effort = Effort { tries: 4, close: 0.008 };
 
 /// Patches over a canvas.
@@ -87,44 +87,44 @@ const EFFORT: Effort = Effort { tries: 4, close: 0.008 };
 pub struct Patches<'a> {
     /// The canvas and the cells of the field.
     pub grid: Grid,
-    /// What is wanted at a place, px, also beyond a closed border.
+    /// The wanted patches at a place, px, also beyond a closed border.
     pub wanted: &'a (dyn Fn([f64; 2]) -> Wanted + Sync),
-    /// Outlines that are reproduced where they are.
+    /// Outlines that are reproduced in place.
     pub kept: &'a [Outline],
-    /// Places, px, where no patch may be; those of layers beneath.
+    /// Places, px, where no patch may be: the places of the layers beneath.
     pub blocked: Option<&'a (dyn Fn([f64; 2]) -> bool + Sync)>,
-    /// Points a patch, [`Patches::DETAIL`] at first; see [`Patches::LEAST_DETAIL`] and [`Patches::MOST_DETAIL`].
+    /// Points in each patch, [`Patches::DETAIL`] by default; see [`Patches::LEAST_DETAIL`] and [`Patches::MOST_DETAIL`].
     pub detail: f64,
-    /// Seed of all that is random.
+    /// Seed of all random numbers.
     pub seed: u64,
 }
 
-/// What has grown.
+/// The grown patches.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GrownPatches {
-    /// 0..1, patches above ½.
+    /// The pattern, 0..1; patches are above ½.
     pub field: Field,
-    /// The level of the interpolated labels that became ½; far below it patches had no room.
+    /// The level of the interpolated labels that became ½; if it is far below ½, patches had no room.
     pub level: f32,
-    /// Centres of the patches on the canvas that were laid, px, without kept ones.
+    /// Centres of the laid patches on the canvas, px, without kept ones.
     pub centers: Vec<[f64; 2]>,
-    /// How many of these found no room for 90 % of their area.
+    /// Number of these patches without room for 90 % of their area.
     pub cramped: usize,
 }
 
 impl Patches<'_> {
-    /// The usual points a patch: fewer show the polygons of the graph, more make fine fringes.
+    /// The usual number of points in a patch: fewer show the polygons of the graph, more make fine fringes.
     pub const DETAIL: f64 = 24.0;
-    /// Fewer points make triangles and bars.
+    /// The least number of points in a patch: fewer make triangles and bars.
     pub const LEAST_DETAIL: f64 = 7.0;
-    /// At more the points are as fine as the px of usual patches.
+    /// The largest number of points in a patch: with more, the points would be as close as the px of usual patches.
     pub const MOST_DETAIL: f64 = 200.0;
-    /// L of the interpolation: at 1 edges show the single points; the longer, the smoother they are.
+    /// L of the interpolation: at 1 edges show the single points; larger lengths make them smoother.
     const LENGTH: f64 = 1.2;
-    /// L where all patches are wanted smooth: with the other one their edges show the fine points. At this one ellipses had a raggedness of
-    /// 1.01, at the other 1.02.
+    /// L if all patches are wanted smooth: with the shorter length their edges show the fine points. With this one ellipses had a
+    /// raggedness of 1.01, with the shorter one 1.02.
     const SMOOTH_LENGTH: f64 = 2.2;
-    /// Points that would show the details of a kept outline: how fast the field changes across it follows from them.
+    /// Number of points that would show the details of a kept outline: it determines the slope of the field across the outline.
     pub const KEPT_DETAIL: f64 = 220.0;
 
     /// Grows the patches.
@@ -135,7 +135,7 @@ impl Patches<'_> {
         growth.complete().expect("it has grown")
     }
 
-    /// Centres of patches on the canvas and within `frame` px of it, where there is room.
+    /// Centres of patches on the canvas and within `frame` px of it, at places that are not taken.
     fn laid(&self, kept: &Outlines, frame: f64, rng: &mut Pcg64Mcg) -> Vec<[f64; 2]> {
         let extent = kept.extent();
         let pinned: Vec<[f64; 2]> = self.kept.iter().map(Outline::center).collect();
@@ -148,7 +148,7 @@ impl Patches<'_> {
         laid
     }
 
-    /// The graph of the fine points, and the noise of each. The first points are `laid`, then come the centres of kept outlines.
+    /// The graph of the fine points, and the noise of each. The first points are `laid`, then the centres of kept outlines follow.
     fn scattered(
         &self,
         extent: &Extent,
@@ -165,21 +165,22 @@ impl Patches<'_> {
         (graph, noise)
     }
 
-    /// The centres of kept outlines that are not farther beyond the canvas than its frame.
+    /// The centres of kept outlines on the canvas or within its frame.
     fn kept_centers(&self, extent: &Extent, frame: f64) -> Vec<[f64; 2]> {
         let [low, high] = extent.framed(frame);
         let is_there = |at: &[f64; 2]| (0..2).all(|axis| (low[axis]..=high[axis]).contains(&at[axis]));
         self.kept.iter().map(Outline::center).filter(is_there).collect()
     }
 
-    /// The points that no patch may claim: those in kept outlines or beside them, and those that are blocked.
+    /// Whether each point is taken, so that no patch may claim it: points in or beside kept outlines, and blocked points.
     fn taken(&self, graph: &Delaunay, kept: &Outlines) -> Vec<bool> {
         let clearance = |at: [f64; 2]| self.radius(at, |wanted| wanted.points(self.detail));
         let is_taken = |at: &[f64; 2]| self.is_blocked(*at) || is_beside(*at, kept, clearance(*at));
         graph.points.iter().map(is_taken).collect()
     }
 
-    /// What each of the patches asks for, which begin at the first points: as is wanted there, varied as far as they vary.
+    /// The wanted properties of each patch; the patches begin at the first points. They are the properties at its centre, with the
+    /// random variation that is wanted there.
     fn asked(&self, graph: &Delaunay, patches: usize, rng: &mut Pcg64Mcg) -> Vec<Wanted> {
         let wanted: Vec<Wanted> = graph.points[..patches].iter().map(|at| (self.wanted)(*at)).collect();
         if wanted.iter().all(|wanted| wanted.spread.is_zero()) {
@@ -192,7 +193,7 @@ impl Patches<'_> {
                 *room += graph.area(point);
             }
         }
-        // Those on the canvas by themselves: at the end of the frame beyond it room is not what it seems.
+        // The patches on the canvas are varied separately: at the end of the frame the room of a patch is not measured correctly.
         let (on_canvas, beyond): (Vec<usize>, Vec<usize>) =
             (0..patches).partition(|patch| graph.extent.contains(graph.points[*patch]));
         let mut asked = wanted.clone();
@@ -214,7 +215,7 @@ impl Patches<'_> {
         Labelled { owner, values }
     }
 
-    /// The field of the labels with its level, patches that merged parted.
+    /// The field of the labels with its level, after separating patches that merged.
     fn interpolated(&self, graph: &Delaunay, labelled: &mut Labelled, share: f64) -> (Field, f32) {
         labelled.part(graph, CLEARANCE);
         let interpolator = Interpolator::new(graph, &self.grid, &self.weights());
@@ -245,7 +246,7 @@ impl Patches<'_> {
         Weights { length, ..Weights::default() }
     }
 
-    /// What laying the centres and the points takes.
+    /// The cost of laying the centres and the points.
     #[must_use]
     pub fn laying(&self) -> Laying {
         let extent = Extent::from(self.grid.bounds_px());
@@ -254,7 +255,7 @@ impl Patches<'_> {
         centers::laying(&extent, &pitch).and(Laying::new(&extent, reach(&extent, self.wanted), &fine))
     }
 
-    /// How often two centres are compared in laying them, at most.
+    /// Upper bound of the number of comparisons of two centres while they are laid.
     #[must_use]
     pub fn compared(&self) -> f64 {
         let pitch = |at: [f64; 2]| Pitch::from((self.wanted)(at));
@@ -265,14 +266,14 @@ impl Patches<'_> {
         self.blocked.is_some_and(|blocked| blocked(at))
     }
 
-    /// Whether a patch may begin at a place.
+    /// Whether a patch may have its centre at a place.
     fn is_clear(&self, at: [f64; 2], kept: &Outlines) -> bool {
         let radius = 0.5 * ((self.wanted)(at).area / std::f64::consts::PI).sqrt();
         !self.is_blocked(at)
             && kept.near(at, radius).all(|outline| outline.depth(at, kept.extent()) < -radius)
     }
 
-    /// Radius of the discs of so many points a patch, px.
+    /// Radius of the discs for this number of points in a patch, px.
     fn radius(&self, at: [f64; 2], points: impl Fn(&Wanted) -> f64) -> f64 {
         let wanted = (self.wanted)(at);
         let points = points(&wanted).clamp(Self::LEAST_DETAIL, Self::MOST_DETAIL);
@@ -280,13 +281,13 @@ impl Patches<'_> {
     }
 }
 
-/// A field without what is below 0, as points between patches have such values, or above 1.
+/// The field clipped to 0..1: points between patches have negative values.
 fn clamped(mut field: Field) -> Field {
     field.values.iter_mut().for_each(|value| *value = value.clamp(0.0, 1.0));
     field
 }
 
-/// Patches that are wanted less ragged than this are smooth. Ellipses have 1, and 24 points make 1.137. Not tuned.
+/// Patches with less wanted raggedness than this are smooth. Ellipses have 1, and 24 points give 1.137. Not tuned.
 const SMOOTH: f64 = 1.1;
 /// A patch that claims less than this share of its area is cramped.
 const CRAMPED: f64 = 0.9;
@@ -322,7 +323,7 @@ impl Claim for Rules {
     }
 
     fn wants(&self, patch: usize, area: f64, next: f64) -> bool {
-        // The point that brings the area nearest to the wanted one is the last.
+        // The last point is the one that brings the area nearest to the wanted one.
         area + 0.5 * next < self.areas[patch]
     }
 
@@ -330,8 +331,8 @@ impl Claim for Rules {
         Some(CLEARANCE)
     }
 }
-/// Rounds in which merged patches are parted; of sixty fields none had any left.
+/// Rounds in which merged patches are separated; of sixty fields none had any left.
 const MENDED: usize = 8;
-/// Clearance below which an edge counts as none. Without such a bound the level left a speck off one patch in 36 at σ = .3, and from a
-/// coverage of .45 on patches merged; with this one there were no specks in as many.
+/// Clearance below which an edge is ignored. Without this bound the level left a separate speck at one patch in 36 at σ = .3, and
+/// patches merged from a coverage of .45 on; with it there were no specks in as many.
 const CLEARANCE: f64 = 0.2;

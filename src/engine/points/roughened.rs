@@ -4,14 +4,14 @@
 //! p′ = p + amp·(n − n̄)·4·p·(1 − p)
 //! ```
 //! n is noise of two octaves, interpolated from random values at Poisson discs of radius .7·r and half of it, where r is half of
-//! the width of the marks around the place. n̄ is what n has along the edge of the mark nearest to the place of 1, cos θ, sin θ,
-//! cos 2θ and sin 2θ, where θ is the direction from its centre (of stripes the mean alone): so each mark keeps its own
-//! area, place, aspect and direction nearly. Where two marks are near to each other, p is not raised between them. The level that is to be the edge is then found anew, so that the area of all stays. What
-//! comes off, or opens within a mark, is left out: pieces of less than half of a mark that are not the largest one of it,
-//! and such holes (`parts`).
+//! the width of the marks around the place. n̄ is the least-squares fit of n by 1, cos θ, sin θ, cos 2θ and sin 2θ along the edge
+//! of the mark nearest to the place, where θ is the direction from its centre (for stripes only the mean): so each mark nearly
+//! keeps its area, place, aspect and direction. Where two marks are close to each other, p is not raised between them. Then the
+//! level of the edge is found again, so that the total area stays the same. Fragments, and holes within a mark, are removed: pieces
+//! of less than half of a mark that are not its largest one, and holes of this size (`parts`).
 //!
-//! How ragged edges get depends on the slope of the pattern there, which every system has its own of: the amplitude is found
-//! by measuring. Noise that moves the places instead loses area.
+//! The raggedness of the edges depends on the slope of the pattern there, which differs between systems: the amplitude is found by
+//! measuring. Noise that displaces the places instead would change the area.
 
 mod parts;
 
@@ -30,23 +30,24 @@ use crate::grid::distance::{length, nearest};
 use crate::grid::{Field, Grid};
 use parts::Parts;
 
-/// Radius of the discs of the noise, radii of the marks: half of the wavelength.
+/// Radius of the discs of the noise, in radii of the marks: half of the wavelength.
 const SCALE: f64 = 0.7;
-/// Shares of the octaves, each of half the radius of the one before it. One octave makes lobes, a third one shows no more.
+/// Weights of the octaves, each with half the radius of the previous one. One octave makes lobes; a third one makes no visible
+/// difference.
 const OCTAVES: [f32; 2] = [1.0, 0.5];
-/// The sum of the octaves, each uniform in ±1 at its discs, has a deviation of .5.
+/// Factor that normalises the noise: the sum of the octaves, each uniform in ±1 at its discs, has a standard deviation of .5.
 const NORMALISED: f32 = 2.0;
-/// Width of the frame beyond a closed border, in radii of the discs: a point there is in the support of at most 2 radii, and its
-/// neighbours 2 farther.
+/// Width of the frame beyond a closed border, in radii of the discs: a place on the canvas is in supports of at most 2 radii, and
+/// the neighbours of their points are 2 farther.
 const MARGIN: f64 = 4.0;
-/// Seeds of octaves lie so far apart; an odd number, so that none repeats (2⁶⁴ ÷ the golden ratio).
+/// Difference between the seeds of successive octaves; an odd number, so that none repeats (2⁶⁴ ÷ the golden ratio).
 const OCTAVE_SEED: u64 = 0x9E37_79B9_7F4A_7C15;
-/// Rounds of level and parts: what is left out in one changes the level for the next.
+/// Rounds of finding the level and removing parts: removed parts change the level for the next round.
 const ROUNDS: usize = 5;
-/// A share of the canvas is found when it differs by less than this share of itself.
+/// Relative error below which a share of the canvas counts as reached.
 const FOUND: f64 = 1e-3;
 
-/// The noise that is to roughen the edges of a pattern.
+/// The noise that roughens the edges of a pattern.
 pub struct Roughening {
     /// n − n̄ of each cell.
     noise: Vec<f32>,
@@ -55,10 +56,11 @@ pub struct Roughening {
 }
 
 impl Roughening {
-    /// The highest amplitude: beyond it noise alone decides where edges are.
+    /// The highest amplitude: above it, noise alone determines the edges.
     pub const MOST: f32 = 0.6;
 
-    /// For `pattern`, 0..1 with its edges at ½, of marks of `radius` px (half of their width, of ellipses √(r₁·r₂)) around a place.
+    /// The noise for `pattern`, 0..1 with its edges at ½, whose marks have the `radius` px (half of their width, for ellipses
+    /// √(r₁·r₂)) around a place.
     #[must_use]
     pub fn new(pattern: &Field, radius: &(dyn Fn([f64; 2]) -> f64 + Sync), seed: u64) -> Self {
         let parts = Parts::new(pattern, radius);
@@ -67,7 +69,7 @@ impl Roughening {
         Self { noise, share: share_above(pattern, 0.5) }
     }
 
-    /// The `pattern`, of marks of this `radius`, with edges roughened by `amount`, 0–[`Self::MOST`]; with 0 it is unchanged.
+    /// The `pattern`, whose marks have this `radius`, with edges roughened by `amount`, 0–[`Self::MOST`]; at 0 it is unchanged.
     #[must_use]
     pub fn by(&self, pattern: &Field, radius: &(dyn Fn([f64; 2]) -> f64 + Sync), amount: f32) -> Field {
         let mut out = pattern.clone();
@@ -111,12 +113,12 @@ fn noise(grid: &Grid, radius: &dyn Fn([f64; 2]) -> f64, seed: u64) -> Vec<f32> {
     sum
 }
 
-/// How many functions of the direction from a mark's centre are taken from the noise.
+/// Number of functions of the direction from a mark's centre that are removed from the noise.
 const MODES: usize = 5;
-/// A part of more than this many discs of its radius is a stripe: only the mean is taken there.
+/// A part of more than this number of discs of its radius is a stripe: only the mean is removed there.
 const COMPACT: f64 = 6.0;
 
-/// 1, cos θ, sin θ, cos 2θ and sin 2θ of the direction θ of a way.
+/// 1, cos θ, sin θ, cos 2θ and sin 2θ, where θ is the direction of a displacement.
 fn modes([x, y]: [f64; 2]) -> SVector<f64, MODES> {
     let length = libm::hypot(x, y);
     if length == 0.0 {
@@ -126,7 +128,7 @@ fn modes([x, y]: [f64; 2]) -> SVector<f64, MODES> {
     SVector::from([1.0, c, s, c * c - s * s, 2.0 * c * s])
 }
 
-/// The weighted sums of least squares of a mark.
+/// The weighted sums of the least-squares fit of a mark.
 #[derive(Clone, Copy, Default)]
 struct Sums {
     square: SMatrix<f64, MODES, MODES>,
@@ -144,8 +146,8 @@ impl Sums {
     }
 }
 
-/// Takes from the noise what would change the area of a mark, move it, stretch it or turn it, by the edge of the mark nearest to each
-/// cell; and what would let it run into another one.
+/// Removes from the noise, along the edge of the mark nearest to each cell, the components that would change the area of the mark,
+/// move, stretch or rotate it, and the noise that would merge it with another one.
 fn even(noise: &mut [f32], pattern: &Field, parts: &Parts, radius: &dyn Fn([f64; 2]) -> f64) {
     let grid = pattern.grid();
     let extent = Extent::from(grid.bounds_px());
@@ -153,7 +155,7 @@ fn even(noise: &mut [f32], pattern: &Field, parts: &Parts, radius: &dyn Fn([f64;
     let Some(ways) = nearest(&inside, &grid) else { return };
     let owner = |cell: usize| grid.step(cell, ways[cell]).map_or(0, |(cell, _)| parts.mark_of(cell));
     let owners: Vec<u32> = (0..noise.len()).into_par_iter().map(owner).collect();
-    // Centres as ways from the first cell of each mark.
+    // Centres as displacements from the first cell of each mark.
     let displacement = |mark: u32, cell: usize| {
         let (from, to) = (grid.center_px(mark as usize), grid.center_px(cell));
         extent.shortest([0, 1].map(|axis| to[axis] - from[axis]))
@@ -180,7 +182,7 @@ fn even(noise: &mut [f32], pattern: &Field, parts: &Parts, radius: &dyn Fn([f64;
     }
     for cell in 0..noise.len() {
         let p = f64::from(pattern.values[cell].clamp(0.0, 1.0));
-        // At the edge, and hardly anywhere else.
+        // Large at the edge and nearly 0 elsewhere.
         let weight = (4.0 * p * (1.0 - p)).powi(8);
         if weight < 1e-3 {
             continue;
@@ -210,7 +212,7 @@ fn even(noise: &mut [f32], pattern: &Field, parts: &Parts, radius: &dyn Fn([f64;
     });
 }
 
-/// 1 at the edges of marks, falling to 0 from midway to the places that are as near to another mark.
+/// 1 near the edges of marks; from halfway to the border between two marks it falls to 0, which it reaches at the border.
 fn room(owners: &[u32], ways: &[[i32; 2]], grid: &Grid) -> Vec<f32> {
     let meets = |cell: usize| {
         let beside = |displacement| {
@@ -251,7 +253,7 @@ mod tests {
             .sum()
     }
 
-    /// How many marks a field has, and how many grounds.
+    /// Number of marks in a field, and number of connected parts of the ground.
     fn counted(field: &Field) -> [usize; 2] {
         let turned =
             Field { values: field.values.iter().map(|value| 1.0 - value).collect(), ..field.clone() };
@@ -271,7 +273,7 @@ mod tests {
     }
 
     #[test]
-    fn no_pieces_and_no_holes_are_left_behind() {
+    fn no_fragments_and_no_holes_are_left() {
         let plain = spots();
         for seed in 1..5 {
             let rough = Roughening::new(&plain, &|_| 20.0, seed).by(&plain, &|_| 20.0, 0.4);
@@ -295,7 +297,7 @@ mod tests {
     }
 
     #[test]
-    fn places_far_from_edges_stay_and_so_does_everything_without_an_amount() {
+    fn places_far_from_edges_and_an_amount_of_0_change_nothing() {
         let plain = spots();
         let roughening = Roughening::new(&plain, &|_| 20.0, 3);
         assert_eq!(roughening.by(&plain, &|_| 20.0, 0.0), plain);

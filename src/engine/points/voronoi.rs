@@ -1,7 +1,7 @@
-//! Voronoi diagrams on a grid: which point each cell belongs to, by a metric of its own for each point.
+//! Voronoi diagrams on a grid: the nearest point of each cell, with a metric for each point.
 //!
-//! A cell belongs to the point of the least form d² = xx·x² + 2·xy·x·y + yy·y² ([`Metric`]). Points are found by the boxes in which
-//! they can matter.
+//! A cell belongs to the point with the least form d² = xx·x² + 2·xy·x·y + yy·y² ([`Metric`]). Points are searched by the boxes
+//! that contain all cells they may own.
 
 use rayon::prelude::*;
 
@@ -9,13 +9,13 @@ use super::extent::Extent;
 use super::metric::Metric;
 use crate::grid::{BoxTiles, Domain, Grid};
 
-/// How far a point can own cells, in the radii of its metric: with a metric as large as the distance of neighbours, no place is that
-/// far from its nearest point. Cells that no such box holds are compared with all points.
+/// Largest distance at which a point can own cells, in radii of its metric: if the radius is the distance of neighbours, no place
+/// is farther from its nearest point. Cells in no such box are compared with all points.
 const REACH: f64 = 1.5;
 
-/// Of each cell of `grid`, row by row, the number of the point that it belongs to; all 0 where there are none.
+/// For each cell of `grid`, row by row, the index of the point that it belongs to; all 0 if there are no points.
 ///
-/// The `metric` of a point is asked at its place; its radius is the distance of neighbours there, px.
+/// The `metric` of a point is evaluated at its place; its radius is the distance of neighbours there, px.
 ///
 /// ```
 /// use dapple_engine::grid::{Edges, Grid};
@@ -73,7 +73,7 @@ mod tests {
             let mut rng = Pcg64Mcg::seed_from_u64(5);
             let points: Vec<[f64; 2]> =
                 (0..40).map(|_| [135.0 * rng.random::<f64>(), 90.0 * rng.random::<f64>()]).collect();
-            // Small metrics too, so that some cells are answered by all points.
+            // With small metrics too, so that some cells are compared with all points.
             for radius in [4.0, 20.0] {
                 let metric = |at: [f64; 2]| Metric::ellipse(radius + 0.02 * at[0], 0.6, at[1]);
                 let found = owners(&points, &metric, &extent, &grid);

@@ -1,26 +1,26 @@
-//! Shortest ways along the graph from some of its points to all others (Dijkstra).
+//! Shortest paths along the graph from some of its points to all others (Dijkstra's algorithm).
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::delaunay::Delaunay;
 
-/// the shortest displacement to each point.
+/// The shortest path to each point.
 pub struct Ways {
-    /// The start of the way; a point that no way leads to is its own.
+    /// The start of the path; a point that no path reaches has its own index.
     pub from: Vec<u32>,
-    /// Its length, px; infinite where no way leads.
+    /// Length of the path, px; infinite if there is none.
     pub length: Vec<f64>,
 }
 
-/// The shortest ways along the edges of `graph` from the nearest of `starts`, by points that are `open` alone.
+/// The shortest paths along the edges of `graph` from the nearest of `starts`, only through points that are `open`.
 pub fn ways(graph: &Delaunay, starts: impl IntoIterator<Item = usize>, open: impl Fn(usize) -> bool) -> Ways {
     let mut from: Vec<u32> = (0..graph.points.len() as u32).collect();
     let mut length = vec![f64::INFINITY; from.len()];
     let mut queue = BinaryHeap::new();
     for point in starts.into_iter().filter(|point| open(*point)) {
         length[point] = 0.0;
-        // The bits of positive numbers are in the order of the numbers.
+        // The bits of positive floating-point numbers are ordered like the numbers.
         queue.push(Reverse((0u64, point as u32, point as u32)));
     }
     while let Some(Reverse((bits, point, of))) = queue.pop() {
@@ -49,14 +49,14 @@ mod tests {
     use crate::points::extent::Extent;
 
     #[test]
-    fn ways_lead_from_the_nearest_start_and_round_what_is_closed() {
+    fn paths_lead_from_the_nearest_start_and_round_closed_points() {
         let extent = Extent { size: [60.0, 30.0], wrap: [false; 2] };
         let rows = [5.0, 15.0, 25.0].map(|y| [5.0, 15.0, 25.0, 35.0, 45.0, 55.0].map(|x| [x + 0.01 * y, y]));
         let graph = Delaunay::new(&rows.concat(), extent);
         let all = ways(&graph, [0, 5], |_| true);
         assert_eq!(all.from[..6], [0, 0, 0, 5, 5, 5]);
         assert!((all.length[2] - 20.0).abs() < 0.1);
-        // A wall between the two starts: its points have no way.
+        // A wall between the two starts: its points are not reached.
         let walled = ways(&graph, [0], |point| point % 6 != 3);
         assert!(walled.length[2] < 21.0 && walled.length[3].is_infinite() && walled.length[5].is_infinite());
         assert_eq!(walled.from[5], 5);

@@ -6,7 +6,7 @@ use super::nucleus::Nucleus;
 use super::parameter_field::{ParameterField, Parameters};
 use crate::grid::{Domain, exp};
 
-/// Farther than this from a nucleus, cells, a bell of this radius, pitches, is less than 2·10⁻⁷ of its peak.
+/// Distance from a nucleus, cells, beyond which a bell is less than 2·10⁻⁷ of its peak; `radius` in pitches.
 #[must_use]
 pub fn bell_reach<P>(nucleus: &Nucleus<P>, radius: f64) -> f64 {
     3.5 * radius * nucleus.reach
@@ -31,7 +31,7 @@ pub fn bells<D: Domain>(
             }
             maps.domain.near(nucleus.at, far, cells).for_each(|(cell, delta)| {
                 let exponent = -0.5 * nucleus.distance2(delta) / (radius * radius);
-                // Farther out it is less than 2·10⁻⁷ of the peak: a ten-thousandth of the ground.
+                // Farther out the bell is less than 2·10⁻⁷ of its peak: a ten-thousandth of the ground.
                 if exponent > -16.0 {
                     let cell = &mut bell[cell - first];
                     *cell = cell.max(exp(exponent) as f32);

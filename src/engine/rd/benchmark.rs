@@ -19,7 +19,7 @@ pub struct Start(Vec<Vec<f32>>);
 
 /// Cells along each side of a [`Start`]: quick to grow (0.1 s), and a divisor of the usual sizes.
 const SIDE: usize = 256;
-/// Steps of a [`Start`]: the noise has decayed, and nothing has settled yet.
+/// Steps of a [`Start`]: after them the noise has decayed, but the pattern has not settled.
 const STEPS: u64 = 64;
 
 impl Case {
@@ -39,7 +39,7 @@ impl Case {
         ]
     };
 
-    /// Such as `turing-spots/isotropic` or `meinhardt-stripes/aspect-0.5`.
+    /// The name of the case, such as `turing-spots/isotropic` or `meinhardt-stripes/aspect-0.5`.
     #[must_use]
     pub fn name(&self) -> String {
         format!("{}/{}", self.system.name(), self.diffusion())
@@ -76,7 +76,8 @@ impl Case {
         Start(growth.concentrations())
     }
 
-    /// A growth on `maps` by Euler steps that continues from `start`, tiled as often as needed. `None` if `start` belongs to another system.
+    /// A growth on `maps` by Euler steps that continues from `start`, tiled as often as needed. `None` if `start` belongs to
+    /// another system.
     #[must_use]
     pub fn growth(&self, start: &Start, maps: &ParameterField) -> Option<Growth> {
         let tiled = |cells: &Vec<f32>| {

@@ -1,4 +1,4 @@
-//! A function of the ratio over many cells, with a cache of one value: neighbours mostly have the same ratio.
+//! A function of the ratio over many cells that caches its last value: neighbours mostly have equal ratios.
 
 /// The last value of a function of the ratio.
 pub struct ByRatio<F> {
@@ -8,7 +8,7 @@ pub struct ByRatio<F> {
 }
 
 impl<F: Fn(f32) -> f32> ByRatio<F> {
-    /// Nothing computed yet.
+    /// A cache with no value yet.
     #[must_use]
     pub fn new(law: F) -> Self {
         Self { law, ratio: f32::NAN, value: 0.0 }

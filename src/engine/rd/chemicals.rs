@@ -12,7 +12,7 @@ use super::problem::Problem;
 use super::super_step::Stage;
 use super::wavefront::{self, Instructions, Scratch, Tiling};
 
-/// Normalised time (`facts.md` 0) where the reactions are slowest.
+/// Normalised time (`facts.md` 0) in the cells where the reactions are slowest.
 #[derive(Clone, Copy, Debug)]
 pub struct Clock {
     /// Stages taken.
@@ -47,7 +47,7 @@ pub trait Chemicals: Debug + Send + Sync {
         scratch: &mut Scratch,
     );
 
-    /// Takes one stage by the plain solver: the same bits.
+    /// Takes one stage by the plain solver, with the bits of the fast one.
     fn step(&mut self, problem: &Problem, clock: Clock);
 
     /// A copy.

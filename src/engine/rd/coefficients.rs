@@ -1,5 +1,5 @@
-//! Numbers of every cell that are constant while the pattern grows, for [`LANES`] cells of a row together; equal neighbours
-//! share them.
+//! Numbers of every cell that do not change during the growth, stored for [`LANES`] cells of a row together; equal neighbours share
+//! them.
 
 use rayon::prelude::*;
 
@@ -9,7 +9,7 @@ use super::plane::{LANES, Lanes, MARGIN, RowLayout};
 #[derive(Clone, Debug)]
 pub struct Coefficients<const C: usize> {
     groups: usize,
-    /// By group, row by row: the numbers that are stored (bit k for number k), and the index of the first of them.
+    /// By group, row by row: the set of stored numbers (bit k for number k), and the index of the first of them.
     at: Vec<(u32, u32)>,
     packs: Vec<Lanes>,
 }
@@ -55,8 +55,7 @@ impl<'a> Numbers<'a> {
 const ROWS: usize = 64;
 
 impl<const C: usize> Coefficients<C> {
-    /// Computes the numbers of each cell by `of` from its `key` (of cell `y · nx + x`): once where neighbours have the same
-    /// key.
+    /// Computes the numbers of each cell by `of` from its `key` (of cell `y · nx + x`), once for neighbours with equal keys.
     pub fn new<K: Copy + PartialEq>(
         grid: RowLayout,
         key: impl Fn(usize) -> K + Sync,
@@ -65,9 +64,9 @@ impl<const C: usize> Coefficients<C> {
         Self::by_row(grid, |y| Row::dense(grid, y, &key, &of))
     }
 
-    /// The numbers that `row` writes for the groups of a row from left to right: given the cells of a group, number k of each in
-    /// `numbers[k]`, where what was written for the last group still stands. It returns, as bits, which of them it wrote; the others
-    /// are 0.
+    /// The numbers that `row` writes for the groups of a row from left to right. It is given the cells of a group, and writes
+    /// number k of each into `numbers[k]`, which still holds the numbers of the last group. It returns, as bits, which numbers it
+    /// wrote; the others are 0.
     pub fn sparse<F: FnMut([usize; LANES], &mut [Lanes; C]) -> u32>(
         grid: RowLayout,
         row: impl Fn() -> F + Sync,
@@ -81,7 +80,7 @@ impl<const C: usize> Coefficients<C> {
         for first in (0..grid.ny).step_by(ROWS) {
             let rows: Vec<_> = (first..grid.ny.min(first + ROWS)).into_par_iter().map(&row).collect();
             if first == 0 {
-                // As if all rows were like these, which spares most copies while the list grows.
+                // An estimate that takes all rows to be like these; it saves most copies while the list grows.
                 let numbers: usize = rows.iter().map(|row| row.packs.len()).sum();
                 all.packs.reserve_exact(numbers * grid.ny / rows.len());
             }
@@ -90,7 +89,7 @@ impl<const C: usize> Coefficients<C> {
         all
     }
 
-    /// These coefficients with the numbers of each cell passed through `change`.
+    /// These coefficients, after the numbers of each cell have been changed by `change`.
     #[must_use]
     pub fn with(&self, grid: RowLayout, change: impl Fn(usize, [f32; C]) -> [f32; C] + Sync) -> Self {
         let own = |cell: usize| self.cell(cell % grid.nx, cell / grid.nx);
@@ -117,7 +116,7 @@ impl<const C: usize> Coefficients<C> {
         self.in_row(y).in_group(group)
     }
 
-    /// The index of the numbers of a group: the same for groups that share them.
+    /// The index of the numbers of a group; groups that share their numbers have equal indices.
     #[must_use]
     pub fn place(&self, group: usize, y: usize) -> u32 {
         self.at[y * self.groups + group].1
@@ -130,8 +129,8 @@ impl<const C: usize> Coefficients<C> {
         Numbers { at: &self.at[y * self.groups..(y + 1) * self.groups], packs: &self.packs }
     }
 
-    /// Writes the numbers of row `y`, margins included: number k of all its cells from `rows[k · stride]` on, those
-    /// that no cell uses left out. Returns which are used.
+    /// Writes the numbers of row `y`, margins included: number k of all cells from `rows[k · stride]` on. Numbers that no cell uses
+    /// are left out. Returns the numbers that are used, as bits.
     pub fn row(&self, y: usize, rows: &mut [f32]) -> u32 {
         let stride = rows.len() / C;
         let row = self.in_row(y);
@@ -148,7 +147,7 @@ impl<const C: usize> Coefficients<C> {
         any
     }
 
-    /// Whether rows `y` and `other` have the same numbers.
+    /// Whether rows `y` and `other` have equal numbers.
     #[must_use]
     pub fn alike(&self, y: usize, other: usize) -> bool {
         self.in_row(y).at == self.in_row(other).at
@@ -200,7 +199,7 @@ impl Row {
                 packs.iter_mut().zip(numbers).for_each(|(pack, number)| pack.0[j] = number);
             }
             match row.at.last() {
-                // The numbers of the last group are the last that were stored.
+                // The numbers of the last group were the last to be stored, at the end of the list.
                 Some(last) if row.packs[last.1 as usize..] == packs[..] => row.at.push(*last),
                 _ => {
                     row.at.push((used, row.packs.len() as u32));
@@ -223,7 +222,7 @@ impl Row {
             let used = write(grid.cells(group, y), &mut numbers);
             let of_group = (0..C).filter(|k| used & (1 << k) != 0).map(|k| &numbers[k]);
             match row.at.last() {
-                // The numbers of the last group are the last that were stored.
+                // The numbers of the last group were the last to be stored, at the end of the list.
                 Some(last) if last.0 == used && row.packs[last.1 as usize..].iter().eq(of_group.clone()) => {
                     row.at.push(*last);
                 }

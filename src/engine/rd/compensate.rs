@@ -8,7 +8,7 @@
 //!
 //! on cells f times as long, spots have the size, shape and direction that they have on the fine grid.
 //!
-//! κ² was tuned on patches of 86 spots of 12 (Turing: 21) cells against the same of 48, stretch 1, 0.6, 0.35.
+//! κ² was tuned on patches of 86 spots of 12 (Turing: 21) cells against patches with 48 cells a spot, stretch 1, 0.6, 0.35.
 
 use multiversion::multiversion;
 
@@ -20,7 +20,7 @@ use super::stencil_lanes::StencilLanes;
 use crate::grid::atan2;
 
 impl System {
-    /// Replaces the `parameters` of cells by those of [`Self::compensated`], up to rounding; but for the cells `left_out`.
+    /// Replaces the `parameters` of cells by those of [`Self::compensated`], up to rounding, except in the cells `left_out`.
     pub fn compensate(self, parameters: &mut [Parameters], area: f64, left_out: &[bool]) {
         if self.definition().compensation == 0.0 || area <= 1.0 {
             return;
@@ -28,7 +28,7 @@ impl System {
         let mut lanes = StencilLanes::new([1.0; 2]);
         let mut weights = [Lanes([0.0; LANES]); OFFSETS.len()];
         for (group, left_out) in parameters.chunks_mut(LANES).zip(left_out.chunks(LANES)) {
-            // Beyond the end the last one again.
+            // Lanes beyond the end repeat the last cell.
             let p: [Parameters; LANES] = std::array::from_fn(|lane| group[lane.min(group.len() - 1)]);
             let axes = p.map(|p| axes(&p));
             let used = lanes.write(&axes, &mut weights);
@@ -77,13 +77,13 @@ impl System {
     }
 }
 
-/// The axes of the tensor D, also where the stretch is below what stencils allow.
+/// The axes of the tensor D, even if the stretch is below the limit of stencils.
 fn axes(p: &Parameters) -> PrincipalAxes {
     let stretch = f64::from(p.stretch);
     PrincipalAxes { along: 1.0 / stretch, across: stretch, degrees: f64::from(p.direction) }
 }
 
-/// What D′ is of some cells.
+/// The tensor D′ of some cells.
 struct Compensated {
     /// √det D′.
     g: [f64; LANES],
@@ -104,7 +104,7 @@ impl Compensated {
     }
 }
 
-/// D′ of tensors with these stencil weights, of which the `used` ones count.
+/// D′ for tensors with these stencil weights; only the `used` weights count.
 #[multiversion(targets("x86_64+avx2"))]
 fn side_by_side(
     axes: &[PrincipalAxes; LANES],
@@ -146,7 +146,7 @@ mod tests {
 
     #[test]
     fn cells_side_by_side_are_compensated_as_one_by_one() {
-        // Neighbours alike, and of all directions.
+        // Some neighbours are equal, others have directions of all kinds.
         for step in [0.3, 17.0] {
             let p = |k: usize| spots(3.0 + 0.02 * k as f32, 0.3 + 0.001 * k as f32, step * k as f32);
             let mut cells: Vec<Parameters> = (0..389).map(p).collect();
@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn a_quarter_turn_of_the_tensor_turns_the_result() {
+    fn rotating_the_tensor_by_90_degrees_rotates_the_result() {
         for direction in [0.0, 17.0, 45.0, 80.0] {
             let [a, b] = [direction, direction + 90.0]
                 .map(|angle| System::MEINHARDT_SPOTS.compensated(&spots(13.6, 0.4, angle), 4.0));

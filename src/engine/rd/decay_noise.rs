@@ -24,8 +24,8 @@ struct Bump<P> {
 }
 
 impl<D: Domain> ParameterField<D> {
-    /// These maps for spots of `system` that are `irregular`, 0 (not at all) to 1, with the same mean area; unchanged if the
-    /// system has no irregular spots.
+    /// These maps for spots of `system` that are `irregular`, from 0 (not at all) to 1, with an unchanged mean area. Without effect
+    /// on a system that has no irregular spots.
     #[must_use]
     pub fn with_decay_noise(mut self, system: System, irregular: f64, seed: u64) -> Self {
         if let Some(DecayNoise { deviation, rate }) = system.definition().decay_noise
@@ -61,7 +61,8 @@ fn noise<D: Domain>(system: System, maps: &ParameterField<D>, seed: u64) -> Vec<
     sum
 }
 
-/// The kernels: placed at random with the highest density, then each kept with the ratio of the local density to it.
+/// The kernels. They are placed at random with the highest density, and each is kept with the probability local density ÷ highest
+/// density.
 fn random_kernels<D: Domain>(system: System, maps: &ParameterField<D>, seed: u64) -> Vec<Bump<D::Place>> {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
     let radii: Vec<f64> = maps.parameters.iter().map(|p| RADIUS * system.spacing(p)).collect();

@@ -1,10 +1,11 @@
-//! What a reaction-diffusion system consists of, as data: each file of [`super::systems`] fills in one [`Definition`].
+//! The data that define a reaction-diffusion system: each file of [`super::systems`] fills in one [`Definition`].
 
 use std::fmt;
 use std::hash::{Hash, Hasher};
 
 use super::chemicals::Chemicals;
 use super::kinetics::{MOBILITIES, Spreading};
+use super::oriented_waves::WaveStart;
 use super::parameter_field::{ParameterField, Parameters};
 use super::plane::{Plane, RowLayout};
 use super::selling::PrincipalAxes;
@@ -16,7 +17,7 @@ use crate::attributes::{Attribute, Spread};
 /// Combines planes on a grid with a reaction.
 pub type Reacting = fn(&ParameterField, RowLayout, Vec<Plane>) -> Option<Box<dyn Chemicals>>;
 
-/// Writes the concentration at the centre of a mark at each of these ratios.
+/// Writes the concentration at the centre of a mark for each of these ratios.
 pub type Peaks = fn(&[f32], &mut [f32]);
 
 /// All properties of one system.
@@ -25,7 +26,7 @@ pub struct Definition {
     pub description: Description,
     /// The names of its chemicals, in the order of [`super::Growth::concentrations`].
     pub chemicals: &'static [&'static str],
-    /// How each chemical spreads.
+    /// For each chemical, the kind of its diffusion.
     pub spread: &'static [Spreading],
     /// The diffusion tensors of a place with these parameters, on square cells.
     pub tensors: &'static [fn(&Parameters) -> PrincipalAxes],
@@ -33,24 +34,24 @@ pub struct Definition {
     pub mobilities: fn(&Parameters) -> [f32; MOBILITIES],
     /// Concentrations, one plane a chemical, with their reaction; `None` for another number of planes.
     pub reacting: Reacting,
-    /// Concentrations by vertex of a surface, with their reaction; `None` of systems that do not grow there.
+    /// Concentrations by vertex of a surface, with their reaction; `None` for systems that do not grow there.
     pub by_rows: Option<ReactingByRows>,
     /// Compiled rows for [`fineness`](super::fineness()); `None` where they are not measured.
     pub fineness: Option<&'static [u8]>,
     /// Its initial concentrations.
     pub begin: Begin,
-    /// `None` where the concentration at the centre of a mark is the same everywhere.
+    /// Dependence of the concentration at the centre of a mark on the ratio; `None` = it is equal everywhere.
     pub peaks: Option<Peaks>,
     /// Writes how much of a mark each cell of a row shows, given the row of each chemical and the peaks there: 0 on the ground,
     /// 1 at the centre of a mark with the parameters there.
     pub show: fn(&[&[f32]], &[f32], &mut [f32]),
-    /// How its spots are made irregular; `None` where they cannot be.
+    /// The way in which spots are made irregular; `None` if they cannot be.
     pub decay_noise: Option<DecayNoise>,
     /// Concentrations of obstacle cells, one a chemical: they keep marks away.
     pub obstacle: &'static [f32],
     /// Distance to obstacle cells ÷ spacing within which the shown concentration is that of the obstacle.
     pub obstacle_rim: f64,
-    /// The growth where nothing says more; `None` where no growth varies over the canvas.
+    /// The usual parameter G; `None` for systems without a parameter G that varies over the canvas.
     pub growth: Option<f32>,
     /// The decay constant that scales normalised time (`facts.md` 0): T = decay · rate · time.
     pub decay: f32,
@@ -60,24 +61,24 @@ pub struct Definition {
     pub super_step_limit: f32,
     /// Its laws of scale.
     pub laws: Laws,
-    /// κ² of [`System::compensated`]: how much larger marks are made for a coarse grid.
+    /// κ² of [`System::compensated`]: the strength of the correction for a coarse grid.
     pub compensation: f64,
     /// Cells that a mark needs.
     pub resolution: Resolution,
-    /// When a pattern has settled.
+    /// Criterion for a settled pattern.
     pub convergence: Convergence,
     /// Scatter of patches of 80 spots (or 10 wavelengths) with the same parameters, from seed to seed: of 40 patches each
     /// at stretches of 0.35, 0.6 and 0.9 and three sizes or five ratios and levels (of lines 14 each of three ratios), the
     /// median.
     pub scatter: Scatter,
-    /// Scatter that needs no correction by probes: sizes and spacings are corrected on the canvas by levels and pitches; the
-    /// value for directions is half of the scatter over a canvas of stripes, or an invisible amount.
+    /// Scatter that needs no correction by probes, since sizes and spacings are corrected on the canvas by thresholds and pitches.
+    /// The value for directions is half of the scatter over a canvas of stripes, or an amount that cannot be seen.
     pub tolerated: Scatter,
     /// d ln size ÷ d ln level, about level ½.
     pub level_slope: f64,
     /// Its laws of lines along curves; `None` where marks do not stay on the curves that they begin along.
     pub along_curves: Option<LinesAlongCurves>,
-    /// Limits of its spots; `None` of stripes.
+    /// Limits of its spots; `None` for stripes.
     pub spots: Option<SpotLimits>,
     /// The cost of a growth.
     pub cost: Cost,
@@ -85,14 +86,14 @@ pub struct Definition {
     pub sweep: &'static [SweepQuantity],
     /// A rate at which its marks have a usual number of cells: for benchmarks and tests.
     pub usual_rate: f32,
-    /// How far lookups may be off, as `dapple learn` checks.
+    /// Largest errors of lookups, checked by `dapple learn`.
     pub error_bounds: ErrorBounds,
 }
 
-/// How the initial concentrations of a system are made.
+/// The kind of initial concentrations of a system.
 #[derive(Clone, Copy)]
 pub enum Begin {
-    /// Of spots: from bells on their nuclei, on any domain.
+    /// For spots: from bells on their nuclei, on any domain.
     Bells {
         /// Radius of a bell in a place with these parameters, pitches.
         radius: fn(&Parameters) -> f64,
@@ -100,19 +101,24 @@ pub enum Begin {
         /// parameters.
         fill: fn(&mut [&mut [f32]], &[f32], &[Parameters]),
     },
-    /// Of stripes and lines: from waves over a grid. One vector a chemical.
-    Waves(fn(&Start, &ParameterField) -> Vec<Vec<f32>>),
+    /// Of stripes and lines: from waves.
+    Waves {
+        /// On a grid. One vector a chemical.
+        on_grid: fn(&Start, &ParameterField) -> Vec<Vec<f32>>,
+        /// On any domain; `None` of systems that grow on grids alone.
+        on_any: Option<WaveStart>,
+    },
 }
 
 /// Laws of scale, good to some per cent.
 pub struct Laws {
-    /// Cells that a spot covers at half its peak × rate, or the squared width of a stripe × rate, at a ratio.
+    /// Size at a ratio: area of a spot at half its peak, cells, × rate, or the squared width of a stripe × rate.
     pub size: fn(f32) -> f64,
     /// Distance of the places of spots (that of a hexagonal lattice with as many) or wavelength of stripes × √rate, at a
     /// ratio.
     pub spacing: fn(f32) -> f64,
-    /// Rate for marks of a size (area of a spot, width of a stripe, cells) at a ratio and a level. Rougher than the
-    /// others; for choosing what to sweep.
+    /// Rate for marks of a size (area of a spot, width of a stripe, cells) at a ratio and a threshold. Less accurate than the other
+    /// laws; used to choose what to sweep.
     pub rate: fn(f64, f64, f64) -> f64,
 }
 
@@ -123,9 +129,9 @@ pub struct LinesAlongCurves {
     pub ratio: f64,
     /// R where three lines meet.
     pub ratio_at_junctions: f64,
-    /// Of a ring around each mark.
+    /// The law for a ring around each mark.
     pub rings: CurveLaw,
-    /// Of one web between all marks.
+    /// The law for one web between all marks.
     pub web: CurveLaw,
 }
 
@@ -138,72 +144,72 @@ pub struct CurveLaw {
     pub stretch: f64,
 }
 
-/// How a system makes its spots irregular.
+/// The way in which a system makes its spots irregular.
 #[derive(Clone, Copy, Debug)]
 pub struct DecayNoise {
-    /// Standard deviation of the decay at the most irregular.
+    /// Standard deviation of the decay for the most irregular spots.
     pub deviation: f64,
-    /// By how much the rate is raised at the most irregular, relative.
+    /// Relative increase of the rate for the most irregular spots.
     pub rate: f64,
 }
 
 /// Cells that a mark needs.
 #[derive(Clone, Copy, Debug)]
 pub struct Resolution {
-    /// Below this many cells a mark is not formed on a coarse grid.
+    /// Marks of fewer cells than this do not form on a coarse grid.
     pub least: f64,
-    /// From this many on the pattern of a coarse grid is used unchanged.
+    /// From this number of cells on, the pattern of a coarse grid is used unchanged.
     pub enough: f64,
-    /// Whether the thin side of long spots counts alone, since their hard edge pins to the grid.
+    /// Whether only the thin side of long spots counts, since their hard edges stick to the grid.
     pub thin_side: bool,
     /// Cells of the smallest mark on the planned grid.
     pub planned: MarkCells,
-    /// From this many cells on parameters scale exactly.
+    /// From this number of cells on, parameters scale exactly.
     pub exact: MarkCells,
 }
 
 /// Cells of a mark: the area of a spot, the width of a stripe.
 #[derive(Clone, Copy, Debug)]
 pub struct MarkCells {
-    /// Where marks are as far apart as their system puts them.
+    /// Where the system sets the distance of marks.
     pub own_distance: f64,
-    /// Where their distance is asked.
+    /// Where a distance of marks is asked for.
     pub asked_distance: f64,
 }
 
 impl MarkCells {
-    /// So many, whether or not a distance is asked.
+    /// An equal number of cells in both cases.
     #[must_use]
     pub const fn always(cells: f64) -> Self {
         Self { own_distance: cells, asked_distance: cells }
     }
 }
 
-/// When a pattern has settled: normalised times (`facts.md` 0) where the reactions are slowest.
+/// Criterion for a settled pattern: normalised times (`facts.md` 0) where the reactions are slowest.
 #[derive(Clone, Copy, Debug)]
 pub struct Convergence {
     /// Earliest time of a check.
     pub earliest: f64,
     /// Time limit.
     pub latest: f64,
-    /// Relative change a unit of time that counts as steady drift.
+    /// Relative change per unit of time that counts as steady drift.
     pub drift: f64,
     /// Earliest time of a check where only the errors of a coarser grid are corrected.
     pub corrected: f64,
-    /// Relative change a unit of time that counts as settled there.
+    /// Relative change per unit of time that counts as settled at such a check.
     pub still: f64,
 }
 
-/// Scatter of what was measured, from seed to seed; 0 where the system does not let it be corrected.
+/// Scatter of measurements, from seed to seed; 0 for quantities that the system does not allow to be corrected.
 #[derive(Clone, Copy, Debug)]
 pub struct Scatter {
-    /// Of ln area or ln width.
+    /// Scatter of ln area or ln width.
     pub size: f64,
-    /// Of ln spacing or ln wavelength.
+    /// Scatter of ln spacing or ln wavelength.
     pub spacing: f64,
-    /// Of ln aspect.
+    /// Scatter of ln aspect.
     pub elongation: f64,
-    /// Of the direction, degrees.
+    /// Scatter of the direction, degrees.
     pub turn: f64,
 }
 
@@ -212,22 +218,22 @@ pub struct Scatter {
 pub struct SpotLimits {
     /// The distance at which they merge.
     pub merging: MergingDistance,
-    /// How much spots with the same parameters differ.
+    /// Variation of spots with equal parameters.
     pub own_variation: OwnVariation,
-    /// How much they can be made to vary.
+    /// Largest possible variation of spots.
     pub variation: Variation,
 }
 
-/// The distance below which spots merge: `least` + `by_root_density` · √(area ÷ spacing²) spacings.
+/// The distance below which spots merge, in spacings: `least` + `by_root_density` · √(area ÷ spacing²).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct MergingDistance {
-    /// The value of the sparsest rows.
+    /// The distance for the sparsest rows.
     pub least: f64,
-    /// How much more it is where they are denser.
+    /// Its increase with the density.
     pub by_root_density: f64,
 }
 
-/// How much spots with the same parameters differ.
+/// Variation of spots with equal parameters.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct OwnVariation {
     /// Coefficient of variation of the area.
@@ -236,7 +242,7 @@ pub struct OwnVariation {
     pub shape: f64,
 }
 
-/// How much spots can be made to vary without merging or losing their shape.
+/// Largest possible variation of spots without merging or losing their shape.
 #[derive(Clone, Copy, Debug)]
 pub enum Variation {
     /// This spread at any density; its aspect is not used.
@@ -245,21 +251,21 @@ pub enum Variation {
     ByDensity {
         /// area ÷ spacing² up to which the area may vary without limit.
         free_density: f64,
-        /// By how much less the area may vary for each unit of area ÷ spacing² above that.
+        /// Decrease of the allowed variation of the area for each unit of area ÷ spacing² above that.
         area_by_density: f64,
-        /// How far they may turn.
+        /// Largest spread of the directions of spots.
         turn: TurnLimit,
         /// Coefficient of variation of the spacing.
         spacing: f64,
     },
 }
 
-/// How far spots may turn: `degrees` · (`length` ÷ their length)^`power`.
+/// The largest spread of the directions of spots: `degrees` · (`length` ÷ their length)^`power`.
 #[derive(Clone, Copy, Debug)]
 pub struct TurnLimit {
-    /// Degrees.
+    /// The spread at that length, degrees.
     pub degrees: f64,
-    /// Spacings.
+    /// The length, in spacings.
     pub length: f64,
     /// The power.
     pub power: f64,
@@ -268,17 +274,17 @@ pub struct TurnLimit {
 /// The cost of a growth.
 #[derive(Clone, Copy, Debug)]
 pub struct Cost {
-    /// Seconds a cell that a growth takes on one core, where all marks have about one size. Of examples of 100,000 to 500,000 cells, spots took
-    /// 3.9e-6 to 8.2e-6, stripes 1.4e-6 to 2.6e-6, and on millions of cells both take less.
+    /// Seconds per cell that a growth takes on one core, where all marks have about one size. In examples of 100,000 to 500,000
+    /// cells, spots took 3.9e-6 to 8.2e-6 and stripes 1.4e-6 to 2.6e-6; on millions of cells both take less.
     pub seconds_a_cell: f64,
-    /// Bytes of memory a cell where parameters differ everywhere. Of spots: two chemicals twice (16), weights, mobilities
-    /// and rate (27), parameters (20), convergence and prolongation (25); measured 85–90 at 2,570²–2,979² cells. Of
-    /// stripes with five chemicals: 123–130 at 1,748²–8,192² cells.
+    /// Bytes of memory per cell where parameters differ everywhere. Spots need two chemicals twice (16), weights, mobilities and
+    /// rate (27), parameters (20), convergence and prolongation (25); measured 85–90 at 2,570²–2,979² cells. Stripes with five
+    /// chemicals: 123–130 at 1,748²–8,192² cells.
     pub bytes_a_cell: f64,
     /// Cell updates needed ÷ cell updates expected: the median of the golden textures and seven examples. A finer grid
     /// mostly needs fewer steps than expected, and stripes settle on it at once.
     pub updates: f64,
-    /// Cell updates needed ÷ cell updates expected where all is grown on one grid, as lines along curves are.
+    /// Cell updates needed ÷ cell updates expected where the whole growth is on one grid, as for lines along curves.
     pub updates_on_one_grid: f64,
 }
 
@@ -293,19 +299,19 @@ pub struct SweepQuantity {
     pub allowed: [f64; 2],
 }
 
-/// Median and 95th percentile that are allowed, by attribute: % of area, spacing, width and wavelength, degrees of angle.
+/// Largest median and 95th percentile of the error, by attribute: % of area, spacing, width and wavelength, degrees of angle.
 pub type Bounds = &'static [(Attribute, [f64; 2])];
 
-/// How far lookups may be off.
+/// Largest errors of lookups.
 #[derive(Clone, Copy, Debug)]
 pub struct ErrorBounds {
-    /// Of what grows with parameters that were looked up.
+    /// For marks that grow with parameters that were looked up.
     pub looked_up: Bounds,
-    /// Of what grows with parameters after probes and refinement.
+    /// For marks that grow with parameters after probes and refinement.
     pub refined: Bounds,
 }
 
-/// A reaction-diffusion system. Two are equal where their names are.
+/// A reaction-diffusion system. Two are equal if their names are.
 #[derive(Clone, Copy)]
 pub struct System(&'static Definition);
 
@@ -348,7 +354,7 @@ impl System {
         self.0.description.is_striped()
     }
 
-    /// The growth G where nothing says more; `None` of systems whose growth does not vary over the canvas.
+    /// The usual parameter G; `None` for systems whose G does not vary over the canvas.
     #[must_use]
     pub const fn usual_growth(self) -> Option<f32> {
         self.0.growth

@@ -8,11 +8,11 @@ use super::stencil_lanes::StencilLanes;
 /// Stencil weights of each cell of a grid.
 #[derive(Clone, Debug)]
 pub struct Diffusion {
-    /// The weight of each of [`OFFSETS`]; of a group of cells only those that some cell of it uses.
+    /// The weight of each of [`OFFSETS`]; a group of cells stores only the weights that some cell of it uses.
     pub weights: Coefficients<{ OFFSETS.len() }>,
-    /// The largest sum of weights of any cell: dt·D·this ≤ ½ keeps an explicit step monotone.
+    /// The largest sum of weights of any cell: an explicit step is monotone if dt·D·(this sum) ≤ ½.
     pub largest: f32,
-    /// How far the offsets in use reach, cells.
+    /// Longest reach of the offsets in use, cells.
     pub reach: usize,
 }
 

@@ -1,4 +1,4 @@
-//! Nuclei, initial conditions and masks on domains that are no grids.
+//! Nuclei, initial conditions and masks on domains other than grids.
 
 use super::*;
 use crate::grid::relabelled::{Point, Relabelled};
@@ -11,13 +11,13 @@ use crate::surface::{LocalMap, Surface, SurfacePoint};
 const SYSTEM: System = System::MEINHARDT_SPOTS;
 const SIZE: [usize; 2] = [96, 84];
 
-/// Sides of a cell. Frames that are turned need the same unit along both axes.
+/// Sides of a cell. Rotated frames need one unit of length along both axes.
 const SQUARE: [f64; 2] = [1.0; 2];
-/// Sides of a cell that differ, as on most canvases.
+/// Unequal sides of a cell, as on most canvases.
 const OBLONG: [f64; 2] = [1.0, 1.01];
 
-/// Parameters that differ from cell to cell, on a grid of cells with these sides and on one with other numbers and the
-/// frames that `frame` gives, degrees.
+/// Parameters that differ from cell to cell, on a grid of cells with these sides, and on one with renumbered cells in the frames
+/// that `frame` gives, degrees.
 fn pair(
     edges: Edges,
     obstacles: bool,
@@ -63,7 +63,7 @@ fn relabelled(spots: &[PinnedSpot], maps: &ParameterField<Relabelled>) -> Vec<Pi
     spots.iter().map(spot).collect()
 }
 
-/// Everything that is asked about the places of spots, with and without pinned ones, as coordinates.
+/// All functions about places of spots, with and without pinned ones; the results as coordinates.
 fn places(flat: &ParameterField, other: &ParameterField<Relabelled>) -> [Vec<[f64; 2]>; 2] {
     let spots: Vec<PinnedSpot> =
         [[12.5, 20.25], [14.0, 22.0], [80.0, 60.5]].map(|at| pinned(at, flat)).into();
@@ -104,7 +104,7 @@ fn nuclei_do_not_depend_on_the_numbers_of_the_cells() {
     }
 }
 
-/// The mean distance, cells, of these places to their nearest.
+/// The mean distance of these places to their nearest neighbour, cells.
 fn mean_nearest(places: &[[f64; 2]]) -> f64 {
     let nearest = |(i, a): (usize, &[f64; 2])| {
         let others = places.iter().enumerate().filter(|(j, _)| *j != i);
@@ -118,7 +118,7 @@ fn nuclei_are_as_many_and_as_far_apart_in_any_frames() {
     for edges in [Edges::Closed, Edges::Wrap] {
         for obstacles in [false, true] {
             let (flat, other) = pair(edges, obstacles, SQUARE, other_frames);
-            // Directions are rounded otherwise, so that a few points on the border of a neighbourhood go other ways.
+            // Directions are rounded differently, so that a few points on the border of a neighbourhood move differently.
             let a = nuclei(SYSTEM, &flat, 3, &[]);
             let b = nuclei(SYSTEM, &other, 3, &[]);
             let there: Vec<[f64; 2]> = b.inside.iter().map(|at| at.0).collect();
@@ -167,7 +167,7 @@ fn values_of_spots_are_interpolated_and_spots_moved_in_the_frames_of_the_cells()
         let at = [[12.5, 20.25], [80.0, 60.5], [1.0, 1.0]];
         let frames = at.map(|at| other.domain.frames[other.domain.cell_at(Point(at))]);
         let [own, own_there] = [at.map(|at| flat.at(at)), at.map(|at| other.at(Point(at)))];
-        // A direction as a vector, of which the length is interpolated too.
+        // A direction as a vector whose length is interpolated, too.
         let known = [[1.0, 0.5], [0.0, 2.0], [-1.0, 0.25]];
         let known_there: Vec<[f64; 2]> = known
             .iter()
@@ -209,7 +209,7 @@ fn values_of_spots_are_interpolated_and_spots_moved_in_the_frames_of_the_cells()
     }
 }
 
-/// Spots of 14 cells' distance on a sphere.
+/// Spots that are 14 cells apart on a sphere.
 fn sphere() -> ParameterField<Sphere> {
     let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
     let rate = (SYSTEM.spacing(&p) / 9.0).powi(2) as f32;
@@ -258,14 +258,14 @@ fn on_a_sphere_masks_grow_and_bells_fall_by_distance_across_the_pole() {
         .collect();
     by_distance.sort_by(|a, b| a.0.total_cmp(&b.0));
     assert!(peak > 10.0 * ground && free[0][cell - 45] > ground);
-    // Cells of the same distance may differ in the last bits.
+    // Cells at equal distances may differ in the last bits.
     assert!(by_distance.windows(2).all(|pair| pair[1].1 <= pair[0].1 * 1.000_01));
     maps.obstacles = set;
     let on = from_places(SYSTEM, &maps, &[at], &|_| false);
     assert_eq!(on[0][cell], 0.0);
 }
 
-/// Spots of 9 units' distance on a surface.
+/// Spots that are 9 units apart on a surface.
 fn on_surface(mesh: crate::surface::Mesh, stretch: f32) -> ParameterField<Surface> {
     let p = Parameters { rate: 1.0, ratio: 20.0, stretch, direction: 30.0, pitch: 1.0 };
     let rate = (SYSTEM.spacing(&p) / 9.0).powi(2) as f32;
@@ -274,7 +274,7 @@ fn on_surface(mesh: crate::surface::Mesh, stretch: f32) -> ParameterField<Surfac
     ParameterField::new(domain, vec![Parameters { rate, ..p }; cells])
 }
 
-/// Distance of each place to its nearest, in pitches.
+/// Distance of each place to its nearest neighbour, in pitches.
 fn nearest_on(maps: &ParameterField<Surface>, places: &[SurfacePoint]) -> Vec<f64> {
     let surface = &maps.domain;
     let nearest = |i: usize| {
@@ -318,7 +318,7 @@ fn on_an_open_surface_nuclei_are_not_pushed_onto_the_border() {
         z.min(56.0 - z) / pitch
     };
     assert!(all.iter().all(|at| depth(at) > 0.2));
-    // As dense at the borders as elsewhere.
+    // The borders are as dense as the rest.
     let outer = all.iter().filter(|at| depth(at) < 1.5).count() as f64;
     let share = 3.0 * pitch / 56.0 * all.len() as f64;
     assert!((outer / share - 1.0).abs() < 0.25, "{outer} {share}");

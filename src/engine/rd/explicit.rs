@@ -22,7 +22,7 @@ pub fn step<const N: usize, K: Kinetics<N>>(
     let mut rate = vec![0.0; stride];
     let mut spread = vec![0.0; N * stride];
     for y in 0..problem.grid.ny {
-        // Weights are computed again only for rows that differ from the previous one.
+        // Weights are computed again only if a row differs from the previous one.
         let same = |alike: &dyn Fn(usize, usize) -> bool| y > 0 && alike(y, y - 1);
         for (stencil, tensor) in stencils.iter_mut().zip(&problem.tensors) {
             if !same(&|y, other| tensor.weights.alike(y, other)) {

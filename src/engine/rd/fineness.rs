@@ -1,4 +1,4 @@
-//! What a coarse mesh does to spots, from rows such as those of `training/fineness.csv`.
+//! The effect of a coarse mesh on spots, from rows such as those of `training/fineness.csv`.
 
 use super::definition::System;
 use crate::grid::ln;
@@ -6,27 +6,27 @@ use crate::grid::ln;
 /// Names of the columns that are read: D_b/Dₐ, minor ÷ major axis, vertices a spacing, and the three of [`Fineness`].
 const COLUMNS: [&str; 6] = ["ratio", "stretch", "fineness", "factor", "smooth", "aspect"];
 
-/// A spot on a coarse mesh ÷ the same spot on an endlessly fine one, at half the peak.
+/// Ratio of a spot on a coarse mesh to that spot on an infinitely fine one, at half the peak.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fineness {
     /// Its area, where values between vertices are interpolated linearly.
     pub linear: f64,
-    /// Its area as the ruler reads it, with a smooth surface through the values of the vertices.
+    /// Its area as measured, with a smooth surface through the values of the vertices.
     pub smooth: f64,
-    /// Its aspect, as the ruler reads it.
+    /// Its aspect as measured.
     pub aspect: f64,
 }
 
 impl Fineness {
-    /// Nothing is changed.
+    /// The ratios of an infinitely fine mesh, all 1.
     pub const NONE: Self = Self { linear: 1.0, smooth: 1.0, aspect: 1.0 };
 }
 
-/// What a mesh with `fineness` vertices a spacing (spacing ÷ √(mean cell area)) does to spots of this ratio and stretch. A mark
-/// must be asked for with its area and its aspect ÷ these factors. [`Fineness::NONE`] for systems of which it is not known.
+/// The effect of a mesh with `fineness` vertices per spacing (spacing ÷ √(mean cell area)) on spots of this ratio and stretch. To
+/// get a mark of a given area and aspect, ask for these ÷ the factors. [`Fineness::NONE`] for systems whose factors are not known.
 ///
-/// Beyond the range of the rows it is that of the nearest. It is good to half a per cent where a spot covers 14 vertices
-/// or more, with a stretch below 0.5 from 18 on ([`System::cells`]); `training/README.md` says more.
+/// Beyond the range of the rows the nearest row holds. The factors are accurate to half a per cent if a spot covers at least 14
+/// vertices, or 18 with a stretch below 0.5 ([`System::cells`]); see also `training/README.md`.
 #[must_use]
 pub fn fineness(system: System, ratio: f64, fineness: f64, stretch: f64) -> Fineness {
     let rows = system.definition().fineness;
@@ -47,15 +47,15 @@ fn read(bytes: &[u8]) -> Vec<[f64; COLUMNS.len()]> {
 
 /// Factors by ratio, stretch and fineness.
 struct Table {
-    /// Natural logarithms, rising.
+    /// Natural logarithms of the ratios, ascending.
     ratios: Vec<f64>,
-    /// Rising.
+    /// Stretches, ascending.
     stretches: Vec<f64>,
-    /// By ratio, then by stretch: 1 ÷ fineness², rising from 0, and the factors.
+    /// By ratio, then by stretch: 1 ÷ fineness², ascending from 0, and the factors.
     curves: Vec<Vec<[f64; 4]>>,
 }
 
-/// The different values among these, rising.
+/// The distinct values, ascending.
 fn distinct(values: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut values: Vec<f64> = values.collect();
     values.sort_by(f64::total_cmp);
@@ -63,7 +63,7 @@ fn distinct(values: impl Iterator<Item = f64>) -> Vec<f64> {
     values
 }
 
-/// The interval of rising `values` that a value lies in, and where in it, 0..1; beyond the range the nearest end.
+/// The interval of ascending `values` that holds a value, and the position in it, 0..1; beyond the range the nearest end.
 fn interval(values: &[f64], value: f64) -> (usize, f64) {
     let first = values.partition_point(|known| *known <= value).clamp(1, values.len().max(2) - 1) - 1;
     let [Some(low), Some(high)] = [first, first + 1].map(|i| values.get(i)) else { return (0, 0.0) };
@@ -95,7 +95,7 @@ impl Table {
         Fineness { linear, smooth, aspect }
     }
 
-    /// One of the factors, by its place in a curve.
+    /// One of the factors, by its index in a curve.
     fn factor(&self, factor: usize, ratio: f64, fineness: f64, stretch: f64) -> f64 {
         let (row, down) = interval(&self.ratios, ln(ratio));
         let (column, along) = interval(&self.stretches, stretch);

@@ -27,7 +27,7 @@ pub struct Kernels {
 }
 
 /// Amplitude of the waves along guide lines in [`phases`]; the standard deviation of the noise is 2.5.
-const LEADING: f64 = 4.0;
+pub(super) const LEADING: f64 = 4.0;
 
 /// Rows that are summed at once.
 const ROWS_A_BAND: usize = 32;
@@ -75,8 +75,8 @@ fn noise_from(
     resample(&Field::new(&grid, sum), nx, ny).values
 }
 
-/// The phase of that noise over the grid, row by row, −π..π: 0 along a crest, however low the noise is there. Crests
-/// at phase 0 all have the same height, and end only where two waves cancel each other.
+/// The phase of [`noise`] over the grid, row by row, −π..π: 0 along a crest, however low the noise is there. Crests at phase 0 have
+/// one height, and end only where two waves cancel each other.
 ///
 /// φ(x) = atan2(Σᵢ ±(1 − r²)² sin(…), Σᵢ (1 − r²)² cos(…)): Tricard et al., "Procedural phasor noise", SIGGRAPH 2019.
 /// The direction of a wave is axial, nᵢ and −nᵢ are equivalent: ± chooses the one closer to the direction at the place, so
@@ -123,7 +123,8 @@ fn rows(band: usize, cells: usize, grid: &Grid) -> Range<isize> {
     first as isize..(first + cells / grid.size[0]) as isize
 }
 
-/// Shorter waves are taken to be as long, cells: a grid does not show them, and the shorter waves are, the more of them there are.
+/// Shortest wavelength, cells. Shorter waves are replaced by waves of this length: a grid does not show them, and their number
+/// grows as they get shorter.
 const SHORTEST: f64 = 1.0;
 
 /// The wavelength of each cell.
@@ -131,7 +132,7 @@ fn lengths(maps: &ParameterField, wavelength: Wavelength) -> Vec<f64> {
     let part = |part: &[Parameters]| {
         let mut before: Option<(Parameters, f64)> = None;
         let of = |p: &Parameters| {
-            // Mostly the same as beside it.
+            // Neighbours mostly have equal wavelengths.
             let length = match before {
                 Some((same, length)) if same == *p => length,
                 _ => wavelength(p).max(SHORTEST),
@@ -145,7 +146,8 @@ fn lengths(maps: &ParameterField, wavelength: Wavelength) -> Vec<f64> {
     parts.concat()
 }
 
-/// Waves at random places, in the cells of a grid on which the shortest is `cells` long; if that is coarser than the grid of `maps`.
+/// Waves at random places, in the cells of a grid on which the shortest wave is `cells` long, if that grid is coarser than that of
+/// `maps`.
 fn waves(
     maps: &ParameterField,
     wavelength: Wavelength,
@@ -189,7 +191,7 @@ mod tests {
     const KERNELS: Kernels = Kernels { reach: [8.0, 4.0], density: 0.6 };
     const REACH: Reach = Reach { beyond: [0.0, 4.0], across: [0.4, 3.0] };
 
-    /// Crests that each column of a grid crosses ÷ those of waves of 10 cells along x, where directions change from `left` to
+    /// Crests that each column of a grid crosses, relative to waves of 10 cells along x, where directions change from `left` to
     /// `right` degrees.
     fn crossed(left: f32, right: f32) -> f64 {
         const N: usize = 160;
@@ -197,7 +199,7 @@ mod tests {
         let mut maps = ParameterField::uniform([N, N], Edges::Closed, p);
         for (cell, p) in maps.parameters.iter_mut().enumerate() {
             let share = (cell % N) as f32 / N as f32;
-            // Directions of parameters are 0..180.
+            // Directions of parameters are from 0 to 180.
             p.direction = (left + share * (right - left)).rem_euclid(180.0);
         }
         let phases = phases(&maps, &|_| 10.0, KERNELS, (&[], REACH), &mut Pcg64Mcg::seed_from_u64(1));

@@ -21,19 +21,19 @@ pub(super) struct Wave {
     pub(super) n: [f64; 2],
     /// a, b, c of the window 1 − (a·dx² + 2b·dx·dy + c·dy²).
     window: [f64; 3],
-    /// By how much its phase grows a cell along x and y, radians.
+    /// Increase of its phase per cell along x and y, radians.
     turns: [f64; 2],
-    /// Cosines and sines of what it grows by along x within a block.
+    /// Cosines and sines of the increase of its phase along x within a block.
     turned: [[f32; BLOCK]; 2],
-    /// Cosine and sine of what it grows by along a whole block.
+    /// Cosine and sine of the increase of its phase along a whole block.
     leap: [f64; 2],
     /// The phase at its middle, radians.
     phase: f64,
 }
 
 impl Wave {
-    /// One of these parameters, `length` cells long, that reaches `far` cells along and `near` across. The `phase` is a share of a
-    /// wave. It is stored in cells that are `scale` times as long along x and y.
+    /// A wave of these parameters, `length` cells long, that reaches `far` cells along its crests and `near` across. The `phase` is
+    /// a share of a period. The wave is stored in cells that are `scale` times as long along x and y.
     pub(super) fn new(
         at: [f64; 2],
         p: &Parameters,
@@ -90,7 +90,7 @@ const ABREAST: usize = 8;
 
 /// The cells of rows that a wave reaches.
 struct Chords {
-    /// How far each row is from the middle of the wave, cells.
+    /// Offset of each row from the middle of the wave, cells.
     dy: [f64; ABREAST],
     /// The first and the last column in each row.
     ends: [[f64; ABREAST]; 2],
@@ -108,8 +108,8 @@ impl Chords {
 /// Cells of a row that are computed side by side. Not tuned.
 const BLOCK: usize = 16;
 
-/// Calls `sum` with runs of the cells that `wave` reaches in the rows `rows` (counted from the first of them), its values under the
-/// window, and the same a quarter of a wave behind.
+/// Calls `sum` with runs of the cells that `wave` reaches in the rows `rows` (counted from the first of them): its values under the
+/// window, and those of the wave a quarter of a period behind.
 #[multiversion(targets("x86_64+avx2"))]
 pub(super) fn add(
     wave: &Wave,
@@ -122,7 +122,7 @@ pub(super) fn add(
     let [first, last] =
         [(wave.at[1] - 0.5 - tall).ceil() as isize, (wave.at[1] - 0.5 + tall).floor() as isize];
     let [nx, ny] = grid.size.map(|side| side as isize);
-    // On a tile a row is also those so many tiles above and below.
+    // On a tile a row also stands for the rows that lie a whole number of tiles above and below.
     let tiles = match grid.edges {
         Edges::Closed => 0..=0,
         Edges::Wrap => first.div_euclid(ny)..=last.div_euclid(ny),
@@ -167,7 +167,7 @@ fn add_chord(
             values[0][k] = height * (turn[0] * turned_cos[k] - turn[1] * turned_sin[k]);
             values[1][k] = height * (turn[1] * turned_cos[k] + turn[0] * turned_sin[k]);
         }
-        // On a tile those beyond a border lie at the other one.
+        // On a tile, cells beyond a border are cells at the opposite border.
         let (mut k, count) = (0, (columns.len() - done).min(BLOCK));
         while k < count {
             let column = grid.edges.index(begin + k as isize, nx);
@@ -183,7 +183,7 @@ fn add_chord(
 /// The cells of a row that a wave reaches.
 #[derive(Clone)]
 struct Chord {
-    /// How far the row is from the middle of the wave, cells.
+    /// Offset of the row from the middle of the wave, cells.
     dy: f64,
     columns: Range<isize>,
     /// Cosine and sine of the phase at the first of them.

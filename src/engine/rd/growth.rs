@@ -18,35 +18,35 @@ use super::super_step;
 use super::wavefront::{Instructions, Tiling};
 use crate::grid::{Domain, Field};
 
-/// Largest dt·D·Σw of a step. Diffusion stays monotone up to ½; with reactions 0.45 was found free of noise (`facts.md` A).
+/// Largest dt·D·Σw of a step. Diffusion is monotone up to ½; with reactions 0.45 gave no noise (`facts.md` A).
 pub(super) const DIFFUSION_LIMIT: f32 = 0.45;
 
-/// Fewer cells than this are stepped by Euler steps, which cost nothing there. On so small a canvas stripes may be wider than it:
-/// there a − b of the flat state neither grows nor decays at first, and the least error decides whether all becomes mark or
-/// ground (`facts.md` S).
+/// Grids of fewer cells than this are stepped by Euler steps, whose cost does not matter there. On such a small canvas stripes may
+/// be wider than the canvas: a − b of the flat state neither grows nor decays at first, and the smallest error decides whether
+/// everything becomes mark or ground (`facts.md` S).
 const FEWEST_CELLS: usize = 1_024;
 
 /// A pattern being grown.
 #[derive(Clone, Debug)]
 pub struct Growth {
     system: System,
-    /// Its times are normalised, where the reactions are slowest.
+    /// Its times are normalised, in the cells where the reactions are slowest.
     stepper: Stepper,
     cell: [f64; 2],
-    /// The concentration at the centre of a mark, by cell; empty where it is the same everywhere.
+    /// The concentration at the centre of a mark, by cell; empty if it is equal everywhere.
     peaks: Vec<f32>,
     /// Cells that show the marks of other layers, not of this pattern.
     masked: Vec<bool>,
 }
 
-/// The marks that [`Growth::new`] begins from, as [`Growth::marks`] shows them.
+/// The marks at the start of [`Growth::new`], as [`Growth::marks`] shows them.
 #[must_use]
 pub fn initial_marks(system: System, maps: &ParameterField, seed: u64) -> Field {
     Growth::new(system, maps, seed).marks()
 }
 
 impl Growth {
-    /// Computes the coefficients and the initial concentrations on the grid.
+    /// A growth at its start: computes the coefficients and the initial concentrations on the grid.
     ///
     /// # Panics
     /// Never for a system of [`System::ALL`]: each begins with the chemicals that it steps.
@@ -62,7 +62,7 @@ impl Growth {
     #[must_use]
     pub fn resumed(system: System, maps: &ParameterField, concentrations: Vec<Vec<f32>>) -> Option<Self> {
         let grid = RowLayout::new(&maps.domain);
-        // By value, so that the memory of each is free for the others.
+        // Passed by value, so that the memory of each vector is freed for the next.
         let plane = |cells: Vec<f32>| Plane::from_cells(grid, &cells);
         let planes: Vec<Plane> = concentrations.into_par_iter().map(plane).collect::<Option<_>>()?;
         let chemicals = (system.definition().reacting)(maps, grid, planes)?;
@@ -77,12 +77,13 @@ impl Growth {
         Some(Self { peaks, masked, system, stepper, cell: maps.domain.cell })
     }
 
-    /// Keeps the cells that `frozen` names (`y · nx + x`) constant from now on, while they still affect their neighbours. Their concentrations must be such that the reaction stays finite.
+    /// Keeps the cells that `frozen` names (`y · nx + x`) constant from now on, while they still affect their neighbours. Their
+    /// concentrations must be such that the reaction stays finite.
     pub fn freeze(&mut self, frozen: impl Fn(usize) -> bool + Sync) {
         self.stepper.problem.freeze(&frozen);
     }
 
-    /// Moves spots of the pattern that grows in `maps`. Planes beside the chemicals are not moved.
+    /// Moves spots of the pattern that grows in `maps`. Planes other than those of the chemicals are not moved.
     pub fn warp(&mut self, maps: &ParameterField, warps: &[LocalWarp]) {
         let shifts = shifts(self.system, maps, warps);
         let moves = Moves::new(&maps.domain, &shifts);
@@ -123,18 +124,18 @@ impl Growth {
         self.stepper.advance(steps);
     }
 
-    /// Takes `steps` explicit steps with this tiling and these instructions. All give the same bits.
+    /// Takes `steps` explicit steps with this tiling and these instructions. The bits do not depend on the two.
     pub fn advance_as(&mut self, steps: u64, tiling: Tiling, instructions: Instructions) {
         self.stepper.advance_as(steps, tiling, instructions);
     }
 
-    /// Takes `steps` explicit steps with the plain solver: the same bits, slower. The fast solver is tested and measured against
-    /// it.
+    /// Takes `steps` explicit steps with the plain solver, which gives the bits of the fast solver, but more slowly. The fast
+    /// solver is tested and measured against it.
     pub fn advance_plain(&mut self, steps: u64) {
         self.stepper.advance_plain(steps);
     }
 
-    /// Euler steps that take as long as one step.
+    /// Number of Euler steps that take as much time as one step.
     #[must_use]
     pub fn euler_steps_a_step(&self) -> f64 {
         self.stepper.euler_steps_a_step()
@@ -157,7 +158,7 @@ impl Growth {
         (time / self.time_a_step()).ceil().max(1.0) as u64
     }
 
-    /// Normalised time grown where the reactions are slowest.
+    /// Normalised time of the growth so far, in the cells where the reactions are slowest.
     #[must_use]
     pub fn time(&self) -> f64 {
         self.steps() as f64 * self.time_a_step()
@@ -193,8 +194,8 @@ impl Growth {
         }
     }
 
-    /// Replaces `marks`, values that [`Self::marks`] gave earlier, by those of now. Returns Σ|after − before| and
-    /// Σ max(after, 0) over the cells that `count`.
+    /// Replaces `marks`, earlier values of [`Self::marks`], by the current ones. Returns Σ|after − before| and Σ max(after, 0) over
+    /// the cells that `count`.
     pub fn update_marks(&self, marks: &mut [f32], count: &[bool]) -> [f64; 2] {
         let nx = self.stepper.problem.grid.nx;
         let rows = marks.par_chunks_mut(nx).zip(count.par_chunks(nx)).enumerate();
@@ -205,12 +206,12 @@ impl Growth {
             before.copy_from_slice(after);
             sums
         };
-        // By row, so that threads do not change the sum.
+        // Summed by row, so that the number of threads does not change the sum.
         let rows: Vec<[f64; 2]> = rows.map_init(Vec::new, row).collect();
         rows.iter().fold([0.0; 2], |[moved, total], [m, t]| [moved + m, total + t])
     }
 
-    /// The concentrations of each chemical, row by row, without the further planes.
+    /// The concentrations of each chemical, row by row, without the other planes.
     #[must_use]
     pub fn concentrations(&self) -> Vec<Vec<f32>> {
         let count = self.system.chemicals().len();
@@ -255,7 +256,7 @@ pub(super) fn change(before: &[f32], after: &[f32], count: &[bool]) -> [f64; 2] 
     [moved.iter().sum(), total.iter().sum()]
 }
 
-/// Cells whose concentrations belong to the marks of other layers: obstacle cells, and cells that these affect.
+/// Cells whose concentrations belong to the marks of other layers: obstacle cells, and cells that obstacles affect.
 pub(super) fn masked<D: Domain>(system: System, maps: &ParameterField<D>) -> Vec<bool> {
     let rim = system.definition().obstacle_rim;
     if rim == 0.0 {
@@ -275,7 +276,7 @@ fn problem(system: System, maps: &ParameterField, grid: RowLayout) -> Problem {
         .collect();
     let square = Tensor { xx: 1.0, xy: 0.0, yy: 1.0 }.on_cells(maps.domain.cell);
     let isotropic = [square.xx as f32, square.yy as f32];
-    // By mobility, the largest sum of the weights of what spreads with it.
+    // For each mobility, the largest sum of the weights of the chemicals that spread with it.
     let mut sums = [0.0f32; MOBILITIES];
     for spreading in definition.spread {
         let (mobility, sum) = match *spreading {
@@ -302,7 +303,7 @@ fn problem(system: System, maps: &ParameterField, grid: RowLayout) -> Problem {
     Problem { stages, ..Problem::new(grid, tensors, isotropic, mobility, rate, scale * lowest) }
 }
 
-/// What bounds the steps of all cells.
+/// The extremes that limit the time step of all cells.
 struct Extremes {
     /// The largest mobility × sum of stencil weights.
     diffusion: f32,
@@ -311,7 +312,7 @@ struct Extremes {
 }
 
 impl Extremes {
-    /// Ranges of `parameters`, and of what `diffusion` gives for them.
+    /// The ranges of `parameters`, and of the values that `diffusion` gives for them.
     fn of(parameters: &[Parameters], diffusion: &(impl Fn(&Parameters) -> f32 + Sync)) -> Self {
         let none = || Self { diffusion: 0.0, rate: [f32::INFINITY, 0.0] };
         let with = |extremes: Self, p: &Parameters| Self {

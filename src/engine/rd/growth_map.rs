@@ -1,5 +1,5 @@
-//! The map of what Turing's growth makes at each growth G and decay β, after Lawlor's figure 2: `assets/growth-map.png`, made by
-//! `data-gen growth-map`.
+//! The map of what Turing's growth makes for each parameter G and decay β, after Lawlor's figure 2: `assets/growth-map.png`, made
+//! by `data-gen growth-map`.
 
 /// Patches side by side, each grown with one G and one β.
 #[derive(Clone, Copy, Debug)]

@@ -1,4 +1,4 @@
-//! Initial conditions of a growth: the same places on any grid.
+//! Initial conditions of a growth: places that do not depend on the grid.
 
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
@@ -12,12 +12,13 @@ use crate::rd::nuclei::{
     LaidAmong, LaidBefore, LaidSpots, PinnedSpot, Places, ROUNDS, density_of, lay, lay_among, thinned,
 };
 use crate::rd::nucleus::Nucleus;
+use crate::rd::oriented_waves::{GuideSegment, wave_values};
 use crate::rd::parameter_field::{ParameterField, Parameters};
 use crate::rd::seeding::{Seeding, segments};
 use crate::rd::start::{Start, by_cell};
 
-/// Where the spots of this growth begin, in cells, the `pinned` ones first; without any, the same places that
-/// [`crate::rd::Growth::new`] takes. Empty for stripes and lines.
+/// The starting places of the spots of this growth, in cells, the `pinned` ones first. Without pinned ones these are the places of
+/// [`crate::rd::Growth::new`]. Empty for stripes and lines.
 #[must_use]
 pub fn nuclei<D: Domain>(
     system: System,
@@ -28,8 +29,8 @@ pub fn nuclei<D: Domain>(
     nuclei_after(system, maps, seed, pinned, |_| ROUNDS)
 }
 
-/// The places of [`nuclei`] after as many rounds of relaxation as `rounds` gives for a number of spots. Fewer rounds than usual
-/// leave them less even, for a [`crate::rd::relax_places`] that follows.
+/// The places of [`nuclei`] after `rounds(n)` rounds of relaxation for n spots. With fewer rounds than usual the places are less
+/// even, to save time before a call of [`crate::rd::relax_places`].
 #[must_use]
 pub fn nuclei_after<D: Domain>(
     system: System,
@@ -50,18 +51,19 @@ pub fn nuclei_after<D: Domain>(
 /// Places of spots that were laid without pinned ones, cells.
 #[derive(Clone, Debug)]
 pub struct NucleiBefore<P = [f64; 2]> {
-    /// Nuclei that stay where they are, on the domain and beyond its closed edges. There must be some.
+    /// Nuclei that stay where they are, on the domain and beyond its closed edges. There must be at least one.
     pub kept: [Vec<P>; 2],
     /// Nuclei that give way to pinned ones, on the domain or beyond its edges.
     pub near: Vec<P>,
-    /// By cell, whether those may stand there.
+    /// By cell, whether the nuclei `near` may lie there.
     pub open: Vec<bool>,
-    /// The parameters in which all were laid, the same everywhere.
+    /// The parameters, equal everywhere, of the layout without pinned ones.
     pub parameters: Parameters,
 }
 
-/// Where spots begin around `pinned` ones and among those that were laid `before`, without obstacles: the pinned ones first, then the
-/// kept ones, which stay too, then others on the open cells. With the indices of the latter in `near`; `None` of new ones.
+/// The starting places of spots around `pinned` ones and among spots that were laid `before`, without obstacles: the pinned ones
+/// first, then the kept ones, which do not move, then others on the open cells. The others have their indices in `near`; `None` for
+/// new ones.
 #[must_use]
 pub fn nuclei_among<D: Domain>(
     system: System,
@@ -113,14 +115,14 @@ fn laid<D: Domain>(
     (!system.is_striped()).then(|| lay(maps, &|p| system.spacing(p), fixed, rounds, &mut rng))
 }
 
-/// The concentrations that [`crate::rd::Growth::new`] begins from.
+/// The concentrations at the start of [`crate::rd::Growth::new`].
 pub fn fresh(system: System, maps: &ParameterField, seed: u64) -> Vec<Vec<f32>> {
     match system.definition().begin {
         Begin::Bells { .. } => {
             let nuclei = laid(system, maps, seed, &[], |_| ROUNDS).map_or_else(Vec::new, |laid| laid.inside);
             from_nuclei(system, maps, &nuclei)
         }
-        Begin::Waves(begin) => {
+        Begin::Waves { on_grid: begin, .. } => {
             let (seeding, polarity) = (Seeding::Noise, Polarity::Positive);
             begin(&Start { seed, lines: &[], curves: None, seeding, polarity }, maps)
         }
@@ -129,8 +131,8 @@ pub fn fresh(system: System, maps: &ParameterField, seed: u64) -> Vec<Vec<f32>> 
 
 /// The concentrations of spots that begin at these places, one vector a chemical; none for stripes and lines.
 ///
-/// Where marks are smaller than the cells can hold (`lost`, by cell), `maps` holds larger ones, and only so many of the
-/// spots begin as have room. Neighbours may vanish there.
+/// Where marks are smaller than the cells can show (`lost`, by cell), `maps` holds larger ones, and only as many spots begin as
+/// have room. Neighbours may vanish there.
 #[must_use]
 pub fn from_places<D: Domain>(
     system: System,
@@ -154,8 +156,35 @@ fn from_nuclei<D: Domain>(
         Begin::Bells { radius, fill } => {
             by_cell(maps, system.chemicals().len(), &bells(maps, nuclei, &radius), fill)
         }
-        Begin::Waves(_) => Vec::new(),
+        Begin::Waves { .. } => Vec::new(),
     }
+}
+
+/// The initial waves of stripes on any domain, by cell, for [`from_wave_values`]. They follow the `guides`. `None` of spots, and
+/// of systems that grow on grids alone.
+#[must_use]
+pub fn initial_waves<D: Domain>(
+    system: System,
+    maps: &ParameterField<D>,
+    seed: u64,
+    guides: &[GuideSegment<D::Place>],
+) -> Option<Vec<f32>> {
+    let Begin::Waves { on_any: Some(start), .. } = &system.definition().begin else { return None };
+    let mut rng = Pcg64Mcg::seed_from_u64(seed);
+    Some(wave_values(maps, &|p| system.spacing(p), start, guides, &mut rng))
+}
+
+/// The concentrations of stripes that begin from these values of [`initial_waves`], or of [`crate::rd::waves_from`], one vector a
+/// chemical. `None` where that does.
+#[must_use]
+pub fn from_wave_values<D: Domain>(
+    system: System,
+    maps: &ParameterField<D>,
+    values: &[f32],
+) -> Option<Vec<Vec<f32>>> {
+    let Begin::Waves { on_any: Some(start), .. } = &system.definition().begin else { return None };
+    let concentrations = by_cell(maps, system.chemicals().len(), values, start.fill);
+    Some(with_obstacle_state(system, maps, concentrations))
 }
 
 /// What a growth begins from, for any grid over its canvas: spots at the same places, stripes from the same waves.
@@ -163,17 +192,17 @@ fn from_nuclei<D: Domain>(
 pub struct InitialConditions {
     system: System,
     seed: u64,
-    /// Where spots begin, as shares of the canvas' sides.
+    /// Starting places of spots, as shares of the canvas' sides.
     places: Vec<[f64; 2]>,
     /// Lines along which stripes run.
     lines: Vec<GuideLine>,
     seeding: Seeding,
-    /// Whether the stripes along `lines` are those that grow, or the gaps between these.
+    /// Whether the stripes along `lines` are the marks, or the gaps between the marks.
     polarity: Polarity,
 }
 
 impl InitialConditions {
-    /// The initial conditions that [`crate::rd::Growth::new`] takes.
+    /// The initial conditions of [`crate::rd::Growth::new`].
     #[must_use]
     pub fn new(system: System, maps: &ParameterField, seed: u64) -> Self {
         Self::at_places(system, maps, seed, &nuclei(system, maps, seed, &[]).inside)
@@ -200,8 +229,8 @@ impl InitialConditions {
         Self { places: places.iter().map(|[x, y]| [x / nx, y / ny]).collect(), ..self }
     }
 
-    /// These initial conditions of stripes with another seeding: `lines` are those that they are to run along. Random segments
-    /// are placed for `maps`.
+    /// These initial conditions of stripes with another seeding. The stripes are to run along `lines`. Random segments are placed
+    /// for `maps`.
     #[must_use]
     pub fn with_seeding(self, maps: &ParameterField, seeding: Seeding, lines: Vec<GuideLine>) -> Self {
         let mut rng = Pcg64Mcg::seed_from_u64(self.seed);
@@ -218,20 +247,20 @@ impl InitialConditions {
         Self { polarity, ..self }
     }
 
-    /// Whether any mark begins. Spots need a place.
+    /// Whether any mark begins: spots need at least one place.
     #[must_use]
     pub fn has_marks(&self) -> bool {
         self.system.is_striped() || !self.places.is_empty()
     }
 
-    /// Whether stripes begin in pieces that must grow together.
+    /// Whether stripes begin as separate pieces that must join.
     #[must_use]
     pub fn starts_scattered(&self) -> bool {
         self.seeding == Seeding::Segments
     }
 
-    /// The concentrations in some `cells` of `maps` that are no obstacles, one vector a chemical: those that [`Self::on`] gives. `near`
-    /// tells whether any of these cells may be within a distance, cells, of a place: spots farther away do not matter.
+    /// The concentrations in some `cells` of `maps` that are no obstacles, one vector a chemical; equal to those of [`Self::on`].
+    /// `near` tells whether any of these cells may be within a distance, cells, of a place: spots farther away do not matter.
     #[must_use]
     pub fn in_cells(
         &self,
@@ -267,7 +296,7 @@ impl InitialConditions {
                 let places: Vec<[f64; 2]> = self.places.iter().map(place).collect();
                 from_places(self.system, maps, &places, lost)
             }
-            Begin::Waves(begin) => {
+            Begin::Waves { on_grid: begin, .. } => {
                 let Self { seed, seeding, polarity, ref lines, .. } = *self;
                 let start = Start { seed, lines, curves: maps.curves.as_ref(), seeding, polarity };
                 with_obstacle_state(self.system, maps, begin(&start, maps))
@@ -314,7 +343,7 @@ mod tests {
             let p = Parameters { rate, ratio: 20.0, stretch: 0.5, direction: 30.0, pitch: 1.0 };
             let maps = ParameterField::uniform([150, 90], edges, p);
             let start = InitialConditions::new(system, &maps, 4);
-            // Those in a corner, which has other corners beside it on a tile.
+            // Cells in a corner, which on a tile has the other corners beside it.
             let cells: Vec<usize> = (0..150 * 90).filter(|cell| cell % 150 < 20 && cell / 150 < 15).collect();
             let near = |at: [f64; 2], distance: f64| {
                 let [x, y] = maps.domain.displacement([10.0, 7.5], at);

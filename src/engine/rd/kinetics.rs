@@ -4,14 +4,14 @@ use std::fmt::Debug;
 
 use super::vector::Number;
 
-/// How a chemical spreads.
+/// The kind of diffusion of a chemical.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Spreading {
-    /// By a tensor for each cell.
+    /// A tensor for each cell.
     Tensor {
         /// The number of the tensor.
         tensor: usize,
-        /// The number of the mobility that multiplies it.
+        /// The number of the mobility by which the tensor is multiplied.
         mobility: usize,
     },
     /// Isotropically.
@@ -44,12 +44,12 @@ pub const fn tensors(spread: &[Spreading]) -> usize {
 
 /// The reaction of a system of `N` chemicals. The value holds the parameters that change with time.
 pub trait Kinetics<const N: usize>: Copy + Debug + Send + Sync + 'static {
-    /// How each chemical spreads.
+    /// For each chemical, the kind of its diffusion.
     const SPREAD: [Spreading; N];
     /// The number of tensors.
     const TENSORS: usize = tensors(&Self::SPREAD);
 
-    /// The reaction at a normalised time (`facts.md` 0), counted from the beginning of the growth.
+    /// The reaction at a normalised time (`facts.md` 0), counted from the start of the growth.
     #[must_use]
     fn at(&self, _time: f64) -> Self {
         *self

@@ -1,7 +1,7 @@
 //! Stripes along given lines: the initial noise gets its crests there.
 //!
-//! n′ = (1 − W) n + Σᵢ wᵢ A cos(2π dᵢ/λ) ÷ max(1, Σᵢ wᵢ), W = min(1, Σᵢ wᵢ), dᵢ the distance across line i and wᵢ 1 beside
-//! it, falling to 0 across and beyond its ends.
+//! n′ = (1 − W) n + Σᵢ wᵢ A cos(2π dᵢ/λ) ÷ max(1, Σᵢ wᵢ), W = min(1, Σᵢ wᵢ). dᵢ is the distance across line i; wᵢ is 1 beside the
+//! line and falls to 0 across it and beyond its ends.
 
 use std::f64::consts::TAU;
 
@@ -15,12 +15,12 @@ use crate::rd::parameter_field::{ParameterField, Parameters};
 pub struct GuideLine {
     /// One end.
     pub from: [f64; 2],
-    /// The other.
+    /// The other end.
     pub to: [f64; 2],
 }
 
 /// Height of the wave ÷ the noise's deviation.
-const HEIGHT: f64 = 2.0;
+pub(super) const HEIGHT: f64 = 2.0;
 /// How far from a line the noise follows it, in wavelengths: up to the first distance the wave has its full amplitude, at the
 /// second it ends.
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +34,7 @@ pub struct Reach {
 /// The wavelength of the stripes that have these parameters, cells.
 pub type Wavelength<'a> = &'a (dyn Fn(&Parameters) -> f64 + Sync);
 
-/// Gives `noise` over the grid of `maps`, of unit variance, wave crests along these lines.
+/// Adds wave crests along these lines to `noise` over the grid of `maps`, which has unit variance.
 pub fn lead(
     noise: &mut [f32],
     maps: &ParameterField,
@@ -57,7 +57,7 @@ pub fn lead(
 pub struct Led {
     /// W.
     pub share: f64,
-    /// Σᵢ wᵢ cos(2π dᵢ/λ) ÷ max(1, Σᵢ wᵢ), and the same of sines, d counted along `across`.
+    /// Σᵢ wᵢ cos(2π dᵢ/λ) ÷ max(1, Σᵢ wᵢ), and the sum with sines instead of cosines; d is counted along `across`.
     pub wave: [f64; 2],
 }
 
@@ -84,7 +84,7 @@ impl<'a> Guide<'a> {
     ) -> Self {
         let lengths = || maps.parameters.par_iter().map(wavelength);
         let longest = if lines.is_empty() { 0.0 } else { lengths().reduce(|| 0.0, f64::max) };
-        // A wave ends beyond the ends of its line and to its sides.
+        // A wave reaches past the ends of its line and to its sides.
         let margin = (reach.beyond[1] + reach.across[1]) * longest;
         let bounds = maps.domain.bounds();
         let around = |line: &GuideLine| {
@@ -123,9 +123,9 @@ impl<'a> Guide<'a> {
 
 /// A point as seen from a line, cells.
 struct Seen {
-    /// How far it lies beyond the ends.
+    /// Distance of the point beyond an end.
     beyond: f64,
-    /// How far off the line, to the side of `normal`.
+    /// Distance from the line, positive on the side of `normal`.
     off: f64,
     normal: [f64; 2],
 }
@@ -137,7 +137,7 @@ impl GuideLine {
             .map(|pick| [0, 1].map(|axis| pick(self.from[axis], self.to[axis]) * bounds.size[axis]))
     }
 
-    /// How far a point (cells) is from it, cells.
+    /// Distance, cells, of a point (cells) from the line.
     pub fn distance(&self, at: [f64; 2], bounds: &Bounds) -> f64 {
         let Seen { beyond, off, .. } = self.seen(at, bounds);
         (beyond * beyond + off * off).sqrt()
@@ -156,7 +156,7 @@ impl GuideLine {
 }
 
 /// 1 up to `from`, 0 from `to` on, smooth between.
-fn fall(v: f64, [from, to]: [f64; 2]) -> f64 {
+pub(super) fn fall(v: f64, [from, to]: [f64; 2]) -> f64 {
     let t = ((to - v) / (to - from)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }

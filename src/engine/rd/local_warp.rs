@@ -4,9 +4,9 @@
 //! c′(x) = c(x − Σₖ wₖ sₖ Δₖ ÷ Σₖ sₖ),  sₖ = exp(−dₖ² ÷ 2τ²)
 //! ```
 //!
-//! dₖ is the distance from spot k in its own metric, in pitches of the room that it needs itself; wₖ is 1 up to the inner
-//! distance, 0 from the outer on, smooth between. The sums are over all spots, those that stay (Δₖ = 0) included, so that a
-//! spot does not take its neighbours along. All chemicals move alike: only the ground between spots is drawn out.
+//! dₖ is the distance from spot k in its own metric, in pitches of the room that the spot needs itself; wₖ is 1 up to the inner
+//! distance, 0 from the outer one on, smooth between. The sums are over all spots, including the spots that stay (Δₖ = 0), so that
+//! a spot does not drag its neighbours. All chemicals move alike: only the ground between spots is stretched.
 
 use std::ops::Range;
 
@@ -32,16 +32,16 @@ pub struct LocalWarp<P = [f64; 2]> {
     pub by: [f64; 2],
 }
 
-/// Up to this distance, pitches, everything moves together: a spot reaches to 0.2–0.28 pitches.
+/// Up to this distance, pitches, everything moves together: the radius of a spot is 0.2–0.28 pitches.
 const INNER: f64 = 0.3;
-/// Beyond this nothing moves: slightly more than halfway to the nearest neighbours.
+/// Beyond this distance, pitches, nothing moves: slightly more than halfway to the nearest neighbours.
 const OUTER: f64 = 0.6;
 
-/// Side of a tile, cells: one with moved cells is interpolated as a whole.
+/// Side of a tile, cells. A tile that contains moved cells is interpolated as a whole.
 const TILE: usize = 48;
-/// Cells around a tile from which its spline follows to 10⁻⁸, see [`Spline`].
+/// Width of the frame of cells around a tile that determines its spline up to 10⁻⁸, see [`Spline`].
 const MARGIN: usize = 16;
-/// Moved cells that a thread interpolates at once, at least. Not tuned.
+/// Fewest moved cells that a thread interpolates at once. Not tuned.
 const CELLS_AT_ONCE: usize = 2_048;
 
 /// Cells that move, sorted by tile.
@@ -61,7 +61,7 @@ impl<'a> Moves<'a> {
         let across = grid.size[0].div_ceil(TILE);
         let mut moves = Vec::with_capacity(shifts.len());
         let mut keyed: Vec<(usize, u32)> = Vec::with_capacity(shifts.len());
-        // Divisions take long: one a row is enough, beside those by constants.
+        // Divisions are slow: there is one per row, besides divisions by constants.
         for (row, indices) in rows(grid, shifts) {
             for (index, (cell, by)) in indices.clone().zip(&shifts[indices]) {
                 let column = cell - row * grid.size[0];
@@ -79,9 +79,9 @@ impl<'a> Moves<'a> {
         Self { grid, moves, order: keyed.into_iter().map(|(_, index)| index).collect(), tiles }
     }
 
-    /// What a chemical, whose rows are `row(y)`, is at these cells once they have moved.
+    /// The values of a chemical, whose rows are `row(y)`, at these cells after the move.
     ///
-    /// The spline is computed only around the cells that move, where that are few.
+    /// The spline is computed only around the cells that move if these are few.
     pub fn moved<'b>(&self, row: impl Fn(usize) -> &'b [f32] + Sync) -> Vec<f32> {
         let around = TILE + 2 * MARGIN;
         if self.tiles.len() * around * around >= self.grid.cells() {
@@ -158,7 +158,7 @@ pub(super) fn rows<'a>(
     })
 }
 
-/// The cells whose content moves, with their displacements in the frame of each, in the order of the cells.
+/// The cells whose content moves, with their displacements in the frame of each cell, in the order of the cells.
 pub(super) fn shifts<D: Domain>(
     system: System,
     maps: &ParameterField<D>,
@@ -183,7 +183,7 @@ pub(super) fn shifts<D: Domain>(
     parts.concat()
 }
 
-/// The shifts of the cells from `first` on that may be `reached`.
+/// The shifts of the cells from `first` on that are `reached`.
 fn shifts_in<D: Domain>(
     maps: &ParameterField<D>,
     warps: &[LocalWarp<D::Place>],
@@ -219,7 +219,7 @@ fn shifts_in<D: Domain>(
     moved.map(|(cell, [x, y, total])| (cell, [x / total, y / total])).collect()
 }
 
-/// sₖ and sₖ wₖ at cells beside each other, the first of them at `displacement` from a spot with this metric; 0 from the outer distance on.
+/// sₖ and sₖ wₖ at a run of adjacent cells, the first at `displacement` from a spot with this metric; 0 from the outer distance on.
 #[multiversion(targets("x86_64+avx2"))]
 fn shares_of(metric: &[f64; 3], displacement: [f64; 2], shares: &mut [[f64; 2]]) {
     for (k, share) in shares.iter_mut().enumerate() {

@@ -22,6 +22,7 @@ mod local_warp;
 mod nuclei;
 mod nucleus;
 mod on_surface;
+mod oriented_waves;
 pub mod pairs;
 mod parameter_field;
 mod plane;
@@ -57,18 +58,20 @@ pub use fineness::{Fineness, fineness};
 pub use growth::{Growth, initial_marks};
 pub use growth_map::GrowthMap;
 pub use initial_conditions::{
-    InitialConditions, NucleiBefore, from_places, nuclei, nuclei_after, nuclei_among, with_obstacle_state,
+    InitialConditions, NucleiBefore, from_places, from_wave_values, initial_waves, nuclei, nuclei_after,
+    nuclei_among, with_obstacle_state,
 };
 pub use kinetics::{Kinetics, Spreading};
 pub use line_noise::GuideLine;
 pub use local_warp::LocalWarp;
 pub use nuclei::{Hindrance, PinnedSpot, Places, ROUNDS, adjust_to_walls, placeable, relax_places};
 pub use on_surface::SurfaceGrowth;
+pub use oriented_waves::{GuideSegment, WaveStart, WaveValue, waves_from};
 pub use parameter_field::{GuideCurves, ParameterField, Parameters};
 pub use prolongation::prolongate;
 pub use restart::restart;
 pub use seeding::Seeding;
-pub use shepard::{Kernel, interpolate_parameters};
+pub use shepard::{Kernel, interpolate, interpolate_parameters};
 pub use solver::Solver;
 pub use sparse::Operators;
 pub use vector::Number;

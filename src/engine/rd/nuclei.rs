@@ -1,8 +1,8 @@
-//! Where spots begin: points at the natural spacing of the system.
+//! The starting places of spots: points at the natural spacing of the system.
 //!
-//! Left to noise, a system needs most of its time to find its own spacing. Points that already keep it, in
-//! the metric of the local tensor, save that time and fix the number of spots; the system still moves, shapes
-//! and, where there is no room, kills them.
+//! From noise, a system needs most of its time to find its own spacing. Points that already have this spacing, in the metric of the
+//! local tensor, save that time and fix the number of spots. The system still moves and shapes spots, and removes those that have
+//! no room.
 //!
 //! Dart throwing, then relaxation by mutual repulsion. Distances are measured by the local metric
 //! ds² = (ρ·along² + across²/ρ)/pitch².
@@ -33,8 +33,8 @@ use density::SpotDensity;
 use geodesic::Christoffel;
 use repulsion::relax;
 
-/// Darts closer than this share of the pitch are refused: at 0.70 the wanted density is 81 % of what random
-/// darts can reach, so that few darts are wasted.
+/// Darts closer than this share of the pitch are refused. At 0.70 the wanted density is 81 % of the highest density of random
+/// darts, so that few darts are wasted.
 const DART: f64 = 0.70;
 /// Neighbours closer than this share of the pitch push each other: the first ring of a hexagonal lattice.
 const PUSH: f64 = 1.25;
@@ -54,9 +54,9 @@ pub struct LaidSpots<P> {
 
 /// Points over the whole domain whose neighbours stand `pitch(parameters)` cells apart.
 ///
-/// At closed edges as if the pattern went on beyond them: they are laid over a margin too, which is cut off. Those of
-/// `pinned` stay where they are, on the domain; the others make room for them. Where nothing is covered, they are relaxed in as many
-/// rounds as `rounds` gives for their number.
+/// Closed edges are treated as if the pattern went on beyond them: points are laid over a margin too, which is cut off. The
+/// `pinned` points stay where they are, on the domain; the others make room for them. Without obstacles the points are relaxed in
+/// `rounds(n)` rounds, n being their number.
 pub fn lay<D: Domain>(
     maps: &ParameterField<D>,
     pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
@@ -76,7 +76,7 @@ pub fn lay<D: Domain>(
     let fixed = placed.all.clone();
     let moving = fixed.len()..usize::MAX;
     let moved = |i: usize, before: &Nucleus<D::Place>, at: D::Place| {
-        // The parameters, and so the metric, are those of the cell.
+        // The parameters, and so the metric, are constant within a cell.
         let stays = i < fixed.len() || maps.domain.cell_at(space.to_domain(at)) == before.cell;
         if stays { Nucleus { at, ..*before } } else { nucleus(at) }
     };
@@ -110,14 +110,14 @@ pub fn lay<D: Domain>(
     let mut all = placed.all.split_off(fixed.len());
     if !fixed.is_empty() {
         all.retain(|point| is_clear(point.at));
-        // Where they were laid: those beyond closed edges are no images of those inside.
+        // Where the points were laid: points beyond closed edges are no mirror images of points inside.
         all = obstacles::with_room(&fixed[posts.len()..], all, placed.emptied());
     }
     let on_domain = |point: Nucleus<D::Place>| Nucleus { at: space.to_domain(point.at), ..point };
     let inside = |point: &Nucleus<D::Place>| space.is_inside(point.at);
     let (mut inside, mut beyond): (Vec<_>, Vec<_>) = all.into_iter().map(on_domain).partition(inside);
     if inside.is_empty() && fixed.is_empty() {
-        // A canvas that is smaller than the room of one spot still shows one.
+        // A canvas smaller than the room of one spot still shows one spot.
         inside.push(Nucleus::at(maps, maps.domain.middle(), pitch));
     }
     beyond.extend(posts.into_iter().map(on_domain));
@@ -157,7 +157,7 @@ fn throw<S: Space, B: Buckets<Place = S::Place>>(
     }
 }
 
-/// The nuclei of `laid` that have room among the ones before them, where they are `crowded`.
+/// The nuclei of `laid`, without those that have no room among the ones before them where they are `crowded`.
 pub fn thinned<D: Domain>(
     laid: Vec<Nucleus<D::Place>>,
     maps: &ParameterField<D>,
@@ -201,7 +201,7 @@ mod tests {
         for edges in [Edges::Closed, Edges::Wrap] {
             for stretch in [1.0, 0.4] {
                 let wanted = (240.0 * 200.0 / (14.0 * 14.0 * 0.866_025_4)) as usize + 1;
-                // Closed edges cut through spots: those on them are half in.
+                // Closed edges cut through spots: spots on an edge count as half.
                 let (found, cut) = match edges {
                     Edges::Wrap => (placed(edges, stretch).len(), 0),
                     Edges::Closed => (placed(edges, stretch).len(), 24),
@@ -229,7 +229,7 @@ mod tests {
         let p = Parameters { rate: 1.0, ratio: 20.0, stretch: 0.5, direction: 90.0, pitch: 1.0 };
         let maps = ParameterField::uniform([240, 200], Edges::Closed, p);
         let all = lay(&maps, &|_| 14.0, &[], |_| ROUNDS, &mut Pcg64Mcg::seed_from_u64(5)).inside;
-        // Upright marks of half the width: the metric is (ρ·along² + across²/ρ)/pitch².
+        // Upright marks, half as wide as long: the metric is (ρ·along² + across²/ρ)/pitch².
         let off = |at: f64, side: f64, pitch: f64| at.min(side - at) / pitch;
         let (mut on, mut inside) = (0, 0);
         for point in &all {

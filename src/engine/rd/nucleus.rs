@@ -15,11 +15,11 @@ pub struct Nucleus<P = [f64; 2]> {
     pub metric: [f64; 3],
     /// Reach of one pitch in any direction, cells.
     pub reach: f64,
-    /// How many times farther apart spots are laid than they need: [`Parameters::apart`], ≥ 1.
+    /// Factor by which spots are laid farther apart than they need: [`Parameters::apart`], ≥ 1.
     pub apart: f64,
 }
 
-/// The metric of the last parameters: many points have the same.
+/// The metric of the most recent parameters: many points have equal parameters.
 pub struct Metrics<'a, D: Domain> {
     maps: &'a ParameterField<D>,
     pitch: &'a (dyn Fn(&Parameters) -> f64 + Sync),
@@ -27,7 +27,7 @@ pub struct Metrics<'a, D: Domain> {
 }
 
 impl<'a, D: Domain> Metrics<'a, D> {
-    /// Nothing computed yet.
+    /// A cache with no metric yet.
     pub fn new(maps: &'a ParameterField<D>, pitch: &'a (dyn Fn(&Parameters) -> f64 + Sync)) -> Self {
         Self { maps, pitch, last: None }
     }
@@ -77,7 +77,7 @@ impl<P> Nucleus<P> {
         Self { at, cell, metric, reach: 1.05 * pitch / stretch.sqrt(), apart: p.apart() }
     }
 
-    /// This point with only the room that its own spot needs, also where spots are placed farther apart.
+    /// This point with only the room that its own spot needs, even if spots are placed farther apart.
     #[must_use]
     pub fn alone(self) -> Self {
         let metric = self.metric.map(|part| part * self.apart * self.apart);
@@ -93,7 +93,7 @@ impl<P> Nucleus<P> {
         self.apart * ((xx * yy - xy * xy) / along).sqrt()
     }
 
-    /// The shortest and the longest distance, pitches, of a point `away` cells from here, in whichever direction it lies.
+    /// The shortest and the longest distance, pitches, of a point `away` cells from here, over all directions.
     #[must_use]
     pub fn bounds(&self, away: f64) -> [f64; 2] {
         let [xx, xy, yy] = self.metric;
@@ -102,7 +102,7 @@ impl<P> Nucleus<P> {
         [(mean - apart).max(0.0).sqrt() * away, (mean + apart).sqrt() * away]
     }
 
-    /// How far, cells, others of reach `longest` or less may lie to be within `pitches` by the mean of both metrics.
+    /// Largest distance, cells, of points of reach `longest` or less that are within `pitches` by the mean of both metrics.
     ///
     /// In a metric of reach r a displacement of length l is l ÷ r pitches or more: a mean of squares below `pitches`² bounds l.
     #[must_use]

@@ -9,12 +9,12 @@ use crate::grid::{Cutout, Domain, Edges, Grid};
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Zeroable)]
 pub struct Parameters {
-    /// Reaction rate ÷ diffusion, 1/cell²: s/√(DₐD_b) of spots and lines (with Dₐ that across), s/Dₐ of stripes. Lengths
-    /// go as 1/√rate.
+    /// Reaction rate ÷ diffusion, 1/cell²: s/√(DₐD_b) for spots and lines (with Dₐ across the line), s/Dₐ for stripes. Lengths are
+    /// proportional to 1/√rate.
     pub rate: f32,
-    /// R = D_b/Dₐ of Meinhardt spots and lines; the others have a fixed ratio and do not read it.
+    /// R = D_b/Dₐ of Meinhardt's spots and lines; other systems have a fixed ratio and ignore it.
     pub ratio: f32,
-    /// Minor ÷ major axis of what the diffusion tensor makes of a circle, [`super::selling::MIN_STRETCH`]..1.
+    /// Minor ÷ major axis of the ellipse that the diffusion tensor makes of a circle, [`super::selling::MIN_STRETCH`]..1.
     pub stretch: f32,
     /// Direction of the long axis, degrees from the first axis of the frame (on a grid +x) towards the second (+y).
     pub direction: f32,
@@ -22,18 +22,18 @@ pub struct Parameters {
     pub pitch: f32,
 }
 
-/// Up to here the pitch only corrects the spacing, and all lengths in pitches scale with it.
+/// Up to this value the pitch is only a correction of the spacing, and all lengths in pitches scale with it.
 const CORRECTED: f32 = 1.2;
 
 impl Parameters {
-    /// Parameters of so many cells, still to be written: all are 0.
+    /// A vector for the parameters of `cells` cells, all 0, to be written later.
     #[must_use]
     pub fn unwritten(cells: usize) -> Vec<Self> {
         zeroed_vec(cells)
     }
 
-    /// How many times farther apart spots are laid than they need themselves, ≥ 1. The initial size of a spot and its
-    /// distance from walls do not scale with it.
+    /// Factor by which spots are laid farther apart than they need, ≥ 1. The initial size of a spot and its distance from walls do
+    /// not scale with it.
     #[must_use]
     pub fn apart(&self) -> f64 {
         f64::from((self.pitch / CORRECTED).max(1.0))
@@ -56,26 +56,26 @@ pub struct ParameterField<D = Grid> {
     pub domain: D,
     /// One a cell, by its number.
     pub parameters: Vec<Parameters>,
-    /// Cells covered by the marks of other layers, by number; empty = none. Nothing grows there.
+    /// Cells covered by the marks of other layers, by number; empty = none. These cells do not change.
     pub obstacles: Vec<bool>,
-    /// By how much the decay β of Turing's spots differs from its 12, by cell; empty = nowhere.
+    /// Difference of the decay β of Turing's spots from its usual 12, by cell; empty = 0 everywhere.
     pub decay_noise: Vec<f32>,
-    /// The growth G of [`System::with_growth`](super::System::with_growth), 17.5–27.5, by cell; empty = the usual one.
+    /// The parameter G of [`System::with_growth`](super::System::with_growth), 17.5–27.5, by cell; empty = the usual one.
     pub growth: Vec<f32>,
-    /// The decay β beside that growth; `None` = the usual one, 20. Others are for the map of what grows at each growth and decay.
+    /// The decay β used with `growth`; `None` = the usual one, 20. Other values are for the map of G and β.
     pub decay: Option<f32>,
-    /// Where lines begin; `None` = everywhere.
+    /// Curves along which lines begin; `None` = everywhere.
     pub curves: Option<GuideCurves>,
-    /// Whether the domain is the flat map of a surface, whose shortest ways are curved on it.
+    /// Whether the domain is the flat map of a curved surface: shortest ways on the surface are then curved on the map.
     pub is_curved: bool,
 }
 
-/// Curves that lines begin along; by cell.
+/// Curves along which lines begin, by cell.
 #[derive(Clone, Debug)]
 pub struct GuideCurves {
-    /// Cells to the nearest of them.
+    /// Distance to the nearest curve, cells.
     pub distance: Vec<f32>,
-    /// Inhibitor of obstacle cells: lines lean towards little of it.
+    /// Inhibitor in obstacle cells: lines lean towards low values of it.
     pub inhibitor: Vec<f32>,
 }
 
@@ -145,14 +145,14 @@ impl ParameterField {
         }
     }
 
-    /// [`Self::decay_noise`] about a point, over a rectangle of these sides.
+    /// Mean of [`Self::decay_noise`] over a rectangle with these sides about a point.
     fn decay_noise_at(&self, [x, y]: [f64; 2], [wide, high]: [f64; 2]) -> f32 {
         const SHIFTS: [f64; 4] = [-0.375, -0.125, 0.125, 0.375];
         let at = |dx: f64, dy: f64| self.decay_noise[self.domain.cell_at([x + dx * wide, y + dy * high])];
         SHIFTS.iter().flat_map(|dy| SHIFTS.map(|dx| at(dx, *dy))).sum::<f32>() / 16.0
     }
 
-    /// These maps of one canvas on `size` = [columns, rows] cells: lengths in cells change, what grows does not (but for the
+    /// These maps of one canvas on `size` = [columns, rows] cells: lengths in cells change, the pattern does not (except for the
     /// error of the grid).
     #[must_use]
     pub fn on_grid(&self, size: [usize; 2]) -> Self {

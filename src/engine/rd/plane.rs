@@ -4,7 +4,7 @@ use bytemuck::{Pod, Zeroable, cast_slice, cast_slice_mut};
 
 use crate::grid::{Edges, Grid};
 
-/// Cells stepped at once: one vector of AVX-512, two of AVX2, four of SSE or NEON.
+/// Cells that are stepped at once: one vector of AVX-512, two of AVX2, four of SSE or NEON.
 pub const LANES: usize = 16;
 
 /// [`LANES`] cells side by side, aligned so that a vector never lies across two cache lines.
@@ -16,14 +16,14 @@ pub struct Lanes(pub [f32; LANES]);
 /// reaches, so that cells stay aligned.
 pub const MARGIN: usize = LANES;
 
-/// How the rows of a grid lie in memory: a margin of [`MARGIN`] columns, `nx` cells, a margin again.
+/// Layout of the rows of a grid in memory: a margin of [`MARGIN`] columns, `nx` cells, a margin again.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RowLayout {
     /// Cells in a row.
     pub nx: usize,
     /// Rows.
     pub ny: usize,
-    /// What lies beyond the border.
+    /// Continuation beyond the border.
     pub edges: Edges,
 }
 
@@ -37,7 +37,7 @@ impl RowLayout {
 
     /// Groups of [`LANES`] columns in a row of memory, margins included.
     ///
-    /// Odd, so that the same column of successive rows does not fall on the same few lines of the cache.
+    /// The number is odd, so that one column of successive rows is not mapped to the same few lines of the cache.
     #[must_use]
     pub fn groups(&self) -> usize {
         (self.nx + 2 * MARGIN).div_ceil(LANES) | 1
@@ -65,7 +65,7 @@ impl RowLayout {
     #[must_use]
     pub fn cells(&self, group: usize, y: usize) -> [usize; LANES] {
         let (first, row) = (group * LANES, y * self.nx);
-        // Most groups hold no margin, and need no division.
+        // Most groups hold no margin and need no division.
         if first >= MARGIN && first + LANES <= MARGIN + self.nx {
             return std::array::from_fn(|j| row + first + j - MARGIN);
         }
@@ -75,7 +75,7 @@ impl RowLayout {
     /// The row that stands in for row `y`, which may lie beyond the border.
     #[must_use]
     pub fn row(&self, y: isize) -> usize {
-        // Most are inside, and need no division.
+        // Most rows are inside and need no division.
         if (0..self.ny as isize).contains(&y) { y as usize } else { self.edges.index(y, self.ny) }
     }
 
@@ -85,7 +85,7 @@ impl RowLayout {
         self.fill_margins(row);
     }
 
-    /// Writes the margins of one row of memory from its cells, as the edges say.
+    /// Writes the margins of one row of memory from its cells, by the rule of the edges.
     pub fn fill_margins(&self, row: &mut [f32]) {
         let end = MARGIN + self.nx;
         if self.nx < MARGIN {
@@ -133,7 +133,7 @@ impl Plane {
         Some(Self { grid, rows })
     }
 
-    /// How its rows lie in memory.
+    /// Layout of its rows in memory.
     #[must_use]
     pub fn grid(&self) -> RowLayout {
         self.grid

@@ -13,7 +13,7 @@ pub struct Problem {
     pub grid: RowLayout,
     /// The tensors of each cell, by number; at least one.
     pub tensors: Vec<Diffusion>,
-    /// How far the offsets of all of these reach, cells.
+    /// Largest component of the offsets of all these tensors, cells.
     pub reach: usize,
     /// Weights of the isotropic stencil along x and along y.
     pub isotropic: [f32; 2],
@@ -23,14 +23,14 @@ pub struct Problem {
     pub rate: Coefficients<1>,
     /// The lowest of these, before any cell was frozen.
     pub slowest: f32,
-    /// Which cells are stepped in the same way.
+    /// Groups of cells that are stepped in one way.
     pub runs: Runs,
     /// Stages of a super step; 1 = Euler steps.
     pub stages: usize,
 }
 
 impl Problem {
-    /// Puts coefficients of Euler steps together: at least one tensor; `isotropic` are the weights of the isotropic stencil along x and along y.
+    /// A problem for Euler steps: at least one tensor; `isotropic` are the weights of the isotropic stencil along x and along y.
     #[must_use]
     pub fn new(
         grid: RowLayout,

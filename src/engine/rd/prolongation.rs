@@ -1,20 +1,20 @@
-//! From a coarse grid to a finer one.
+//! Transfer of concentrations from a coarse grid to a finer one.
 
 use rayon::prelude::*;
 
 use crate::grid::resample::Spline;
 use crate::grid::{Edges, Field, Grid};
 
-/// A spline swings between a steep spot and the ground by far more than the ground holds, and where the activator exceeds the
-/// inhibitor, marks begin. What it gives is kept between the lowest of the four cells around and this times the highest: at
-/// the peak of a mark of four cells across it is 1.2 times the highest.
+/// The value of a spline is kept between the lowest of the four cells around it and this factor times the highest. A spline
+/// overshoots between a steep spot and the ground by far more than the values on the ground, and marks begin wherever the activator
+/// exceeds the inhibitor. At the peak of a mark that is four cells across the spline is 1.2 times the highest cell.
 const OVERSHOOT: f32 = 1.5;
 
 /// A chemical on `from` cells, brought to `to` cells over the same canvas.
 ///
-/// Values of the cubic spline through the cells (`facts.md` I: linear interpolation is as good), within the range of the cells
-/// around: positive values stay positive, what is 0 around stays 0. Constants are unchanged, and linear fields away from the
-/// border, up to rounding.
+/// Values of the cubic spline through the cells (`facts.md` I: linear interpolation is as good), limited to the range of the cells
+/// around: positive values stay positive, and zeros among zeros stay zero. Constants are unchanged, and so are linear fields away
+/// from the border, up to rounding.
 #[must_use]
 pub fn prolongate(cells: Vec<f32>, from: [usize; 2], to: [usize; 2], edges: Edges) -> Vec<f32> {
     if from == to {
@@ -38,14 +38,15 @@ pub fn prolongate(cells: Vec<f32>, from: [usize; 2], to: [usize; 2], edges: Edge
     fine
 }
 
-/// The last of `from` cells whose centre is not beyond that of each of `to` cells, along one axis; −1 before the first centre.
+/// For each of `to` cells, the last of `from` cells whose centre is not beyond its centre, along one axis; −1 before the first
+/// centre.
 fn before(from: usize, to: usize) -> Vec<isize> {
     let place = |index: usize| ((index as f64 + 0.5) * from as f64 / to as f64 - 0.5).floor() as isize;
     (0..to).map(place).collect()
 }
 
-/// The lowest and the highest value of the four cells around the places between two rows of cells: first of those before the first
-/// column, then of those after each column.
+/// The lowest and the highest value of the four cells around the places between two rows of cells: first for the places before the
+/// first column, then for the places after each column.
 #[derive(Default)]
 struct Ranges {
     between: [Vec<f32>; 2],
@@ -70,7 +71,7 @@ impl Ranges {
     }
 }
 
-/// The `value` that the spline of a chemical has at a point, cells, within the range of the `field` around.
+/// The spline's `value` at a point, cells, limited to the range of the `field` around.
 #[must_use]
 pub fn within_range(value: f32, field: &Field, point: [f64; 2]) -> f32 {
     kept_within(value, field.range_around(point))
@@ -81,7 +82,7 @@ fn kept_within(value: f32, [lowest, highest]: [f32; 2]) -> f32 {
     value.max(lowest).min(OVERSHOOT * highest)
 }
 
-/// What `choose` takes of the four cells around, for [`Ranges`]. `columns` is a buffer.
+/// The extremes, by `choose`, of the four cells around, for [`Ranges`]. `columns` is a buffer.
 fn extremes(
     [above, below]: [&[f32]; 2],
     edges: Edges,

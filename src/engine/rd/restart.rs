@@ -1,4 +1,4 @@
-//! Beginning single spots again in a pattern that has grown.
+//! Restarting single spots in a pattern that has grown.
 //!
 //! c′(x) = c(x) + w(x) (c₀(x) − c(x)), c₀ the initial conditions; w = 1 about the spots that begin again, 0 about the others
 
@@ -9,9 +9,9 @@ use crate::rd::nucleus::Nucleus;
 use crate::rd::parameter_field::ParameterField;
 use crate::rd::shepard::TAU;
 
-/// Up to this distance from a spot, pitches of the room that it needs itself, all is as it began.
+/// Up to this distance from a spot, in pitches of the room that the spot needs, the concentrations are reset.
 const INNER: f64 = 0.35;
-/// From here on all stays as it has grown.
+/// From this distance on, in pitches, the concentrations do not change.
 const OUTER: f64 = 0.6;
 
 /// Puts the initial conditions back into the `chemicals` about the places `again`, cells. About the places `stay` nothing changes.
@@ -31,7 +31,7 @@ pub fn restart(
         Nucleus::new(&p, domain, domain.cell_at(*at), *at, system.spacing(&p)).alone()
     };
     let again: Vec<Nucleus> = again.iter().map(spot).collect();
-    // Those far from all that begin again change nothing.
+    // Spots far from all restarted ones have no effect.
     let beside = |stays: &Nucleus| {
         again.iter().any(|begins| {
             let reach = OUTER * (begins.reach + stays.reach) + 1.0;

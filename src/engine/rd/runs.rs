@@ -1,4 +1,4 @@
-//! Runs of groups in a row that are stepped in the same way.
+//! Runs of groups in a row that are stepped in one way.
 
 use super::coefficients::Coefficients;
 use super::diffusion::Diffusion;
@@ -7,7 +7,7 @@ use super::plane::{LANES, MARGIN, RowLayout};
 use super::selling::OFFSETS;
 use crate::grid::Edges;
 
-/// Consecutive groups of one row that are stepped in the same way.
+/// Consecutive groups of one row that are stepped in one way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Run {
     /// The first group after it.
@@ -16,7 +16,7 @@ pub struct Run {
     pub used: u32,
     /// Whether all its weights are 1: isotropic diffusion on square cells.
     pub unit: bool,
-    /// Whether all their coefficients are those of the first.
+    /// Whether all groups have the coefficients of the first.
     pub same: bool,
     /// Whether the stencil reaches beyond a closed edge.
     pub edge: bool,
@@ -25,7 +25,7 @@ pub struct Run {
 /// The runs of every row, stored once for equal rows.
 #[derive(Clone, Debug)]
 pub struct Runs {
-    /// Where those of each row begin.
+    /// Start of the runs of each row.
     rows: Vec<u32>,
     runs: Vec<Run>,
 }
@@ -67,14 +67,15 @@ impl Runs {
         Self { rows, runs }
     }
 
-    /// The runs of row `y` and of the rows after it, from the first group on; those of a row end with its last group.
+    /// The runs of row `y`, from the first group on, followed by those of later rows; the last run of a row ends with its last
+    /// group.
     #[must_use]
     pub fn in_row(&self, y: usize) -> &[Run] {
         &self.runs[self.rows[y] as usize..]
     }
 }
 
-/// A run that begins with one group, with stencils that reach so many cells; its end is set later.
+/// A run of one group, with stencils that reach `reach` cells; its end is set later.
 fn alone(
     grid: RowLayout,
     reach: usize,

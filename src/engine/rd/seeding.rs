@@ -1,4 +1,4 @@
-//! Initial conditions of stripes other than noise: seeds on a ground at rest.
+//! Initial conditions of stripes other than noise: seeds on a uniform ground at equilibrium.
 
 use std::f64::consts::TAU;
 
@@ -9,7 +9,7 @@ use super::parameter_field::{ParameterField, Parameters};
 use crate::grid::{Domain, Grid};
 use crate::rd::line_noise::{GuideLine, Wavelength};
 
-/// What stripes begin from.
+/// Initial state of stripes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Seeding {
     /// Noise that already has their wavelength and direction; they grow along a tensor.
@@ -24,13 +24,13 @@ pub enum Seeding {
 
 /// Segments in a square wavelength (`facts.md` E).
 const DENSITY: f64 = 0.5;
-/// Their length, wavelengths (`facts.md` E).
+/// Length of a segment, wavelengths (`facts.md` E).
 const LENGTH: f64 = 2.0;
 /// Standard deviation of their directions, degrees (`facts.md` E).
 const JITTER: f64 = 5.0;
 /// Smallest distance of their midpoints from drawn lines, wavelengths: closer ones would cross these.
 const CLEAR: f64 = 1.25;
-/// Half of their thickness, wavelengths: a cell of the coarsest grid, which has eight a wavelength.
+/// Half of the thickness of a segment, wavelengths: a cell of the coarsest grid, which has eight cells per wavelength.
 const THICKNESS: f64 = 0.0625;
 
 /// The segments for the grid of `maps`: `drawn` ones, and elsewhere random ones of the usual density.
@@ -66,7 +66,7 @@ pub fn segments(
     all
 }
 
-/// How far each cell of the grid of `maps` is seeded by these segments, 0..1.
+/// Strength of the seed in each cell of the grid of `maps`, 0..1, for these segments.
 pub fn seeded(maps: &ParameterField, segments: &[GuideLine], wavelength: Wavelength) -> Vec<f32> {
     let grid = maps.domain;
     let bounds = grid.bounds();
@@ -85,7 +85,7 @@ pub fn seeded(maps: &ParameterField, segments: &[GuideLine], wavelength: Wavelen
     seeded
 }
 
-/// Waves that run from the `lines` outwards, −1..1: cos 2πφ with |∇φ| = 1/λ and φ = 0 on the lines.
+/// Waves that travel outwards from the `lines`, −1..1: cos 2πφ with |∇φ| = 1/λ and φ = 0 on the lines.
 ///
 /// Fast sweeping: Zhao, "A fast sweeping method for eikonal equations", Mathematics of Computation 74 (2005), eq. 2.4.
 pub fn waves(maps: &ParameterField, lines: &[GuideLine], wavelength: Wavelength) -> Vec<f32> {
@@ -108,9 +108,9 @@ pub fn waves(maps: &ParameterField, lines: &[GuideLine], wavelength: Wavelength)
     phase.into_par_iter().map(|phase| libm::cos(TAU * f64::from(phase)) as f32).collect()
 }
 
-/// φ up to which it is computed from the distance to the line: there sweeps are least accurate.
+/// Largest φ that is computed from the distance to the line: near the line sweeps are least accurate.
 const EXACT: f32 = 1.0;
-/// Rounds of four sweeps: the second is for waves across the border of a tile.
+/// Rounds of four sweeps: the second carries waves across the border of a tile.
 const SWEEPS: usize = 2;
 
 /// One sweep over all cells, downwards or up, to the right or left.
@@ -167,7 +167,7 @@ mod tests {
             let away = line.distance(maps.domain.center(cell), &maps.domain.bounds());
             (f64::from(waves[cell]) - libm::cos(TAU * away / 16.0)).abs()
         };
-        // Sweeps are of first order: after four wavelengths they are off by some tenths of a cell.
+        // Sweeps are of first order: after four wavelengths their error is a few tenths of a cell.
         let mean = (0..waves.len()).map(off).sum::<f64>() / waves.len() as f64;
         assert!(mean < 0.1, "{mean}");
     }

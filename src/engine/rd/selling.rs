@@ -15,7 +15,7 @@ pub const OFFSETS: [[isize; 2]; 20] = [
     [3, 1], [1, 3], [3, -1], [1, -3], [3, 2], [2, 3], [3, -2], [2, -3], [4, 1], [1, 4], [4, -1], [1, -4],
 ];
 
-/// How far an offset reaches, cells.
+/// Largest component of an offset, cells.
 pub const REACH: usize = 4;
 
 /// The thinnest stretch (minor ÷ major) for which [`OFFSETS`] suffice at every angle.
@@ -60,8 +60,8 @@ impl PrincipalAxes {
         Self { along: 1.0 / (stretch * stretch), across: 1.0, degrees: f64::from(p.direction) }
     }
 
-    /// The ratio of the axes of what the tensor makes of a circle, minor ÷ major, with the direction of the major one; and the
-    /// factor by which the tensor differs from that of determinant 1.
+    /// The ratio of the axes, minor ÷ major, of the ellipse that the tensor makes of a circle, with the direction of the major one;
+    /// and the ratio of the tensor to that of determinant 1.
     #[must_use]
     pub fn parted(self) -> (Stretch, f64) {
         let (ratio, quarter) = if self.along < self.across {
@@ -203,7 +203,7 @@ const INDICES: [u8; SIDE * SIDE] = {
     indices
 };
 
-/// Which of [`OFFSETS`] this one or its opposite is.
+/// The index in [`OFFSETS`] of an offset or of its opposite.
 fn index_of(offset: [isize; 2]) -> Option<usize> {
     let [x, y] = offset.map(|along| (along + REACH as isize) as usize);
     if x >= SIDE || y >= SIDE {
@@ -265,7 +265,7 @@ mod tests {
     }
 
     #[test]
-    fn a_tensor_too_thin_is_made_rounder() {
+    fn a_too_narrow_tensor_is_made_rounder() {
         let w = Tensor::oriented(20.0, 0.05, 17.0).weights();
         assert!(w.iter().all(|w| w.is_finite() && *w >= 0.0) && w.iter().sum::<f32>() > 0.0);
     }

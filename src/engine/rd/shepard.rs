@@ -3,8 +3,8 @@
 //! v(x) = Σₖ wₖ vₖ ÷ (w₀ + Σₖ wₖ), wₖ = exp(−dₖ(x)² ÷ 2τ²), dₖ the distance from spot k in its own metric, in pitches of
 //! the room that it needs itself. Far from all spots v is 0.
 //!
-//! The weights are Gaussians: each spot has its own value around it, and halfway to the next one is a smooth step, sharper
-//! for smaller τ.
+//! The weights are Gaussians: each spot has its own value around it, and halfway to the next spot the value changes smoothly; the
+//! smaller τ, the sharper the change.
 
 use std::ops::Range;
 
@@ -15,24 +15,26 @@ use crate::rd::System;
 use crate::rd::nucleus::Nucleus;
 use crate::rd::parameter_field::Parameters;
 
-/// τ among spots of its size. A spot reaches to 0.2–0.28 pitches, where its own weight is still 100 times the next one's.
-/// Of 0.15, 0.2, 0.25 and 0.3 the first two gave each spot its area, aspect and direction to 2 %; the smoother one is used.
+/// τ of a spot among others of its size. A spot reaches to 0.2–0.28 pitches, where its own weight is still 100 times that of the
+/// next spot. Of the values 0.15, 0.2, 0.25 and 0.3 the first two gave each spot its area, aspect and direction to 2 %; the
+/// smoother one is used.
 pub(super) const TAU: f64 = 0.2;
 /// Contributions with exponents below this are omitted: less than a hundredth of w₀.
 const LEAST: f64 = -22.0;
-/// w₀: 5.9 τ away a spot and the ground have the same weight, beyond the holes between spots, where the largest exponent is at
-/// least −8. A narrow spot splits in two where the ground within its reach lies across it: of 60 sketches of sparse narrow spots
-/// in many directions some did so in three with w₀ at 4 τ.
+/// w₀: at a distance of 5.9 τ a spot and the ground have equal weights. This is farther than the middle of the holes between spots,
+/// where the largest exponent is at least −8. A narrow spot splits in two if the ground within its reach lies across it: with w₀ at
+/// 4 τ this happened in three of 60 sketches of sparse narrow spots in many directions.
 const GROUND: f64 = 3e-8;
-/// The edge of a spot as dense as can be, pitches.
+/// The edge of a spot at the highest density, pitches.
 const EDGE: f64 = 0.3;
-/// A spot and the ground have the same weight half a pitch of the ground beyond the edge of the spot.
+/// A spot and the ground have equal weights at this distance beyond the edge of the spot, in pitches of the ground.
 const BEYOND: f64 = 0.5;
 
-/// Writes the parameters of the cells from a number on, from the interpolated values of each.
+/// Writes the parameters of the cells from a given number on, by the interpolated values of each cell.
 pub type Vary<'a, const N: usize> = &'a (dyn Fn(usize, &[[f64; N]], &mut [Parameters]) + Sync);
 
-/// Writes the `parameters` of the cells of a domain, of those parts that `changes`: `vary` writes them from the interpolated values.
+/// Interpolates values to all cells of a domain; `vary` writes the `parameters` from them, in the parts of the domain that the
+/// values change.
 ///
 /// `known` are the values at each spot, given in the frame of its place; `turned` gives values in a frame turned by some degrees, see
 /// [`Domain::turn`].
@@ -52,16 +54,41 @@ pub fn interpolate_parameters<D: Domain, const N: usize>(
         if !changes(&cells) {
             return;
         }
-        let mut sums = vec![(0.0, [0.0; N]); made.len()];
-        for (spot, known) in spots.iter().zip(known).filter(|(spot, _)| spot.may_reach(domain, &cells)) {
-            add(&mut sums, cells.clone(), domain, spot, known, turned);
-        }
-        let known = sums.into_iter().map(|(sum, all)| {
-            let share = 1.0 / (GROUND + sum);
-            all.map(|all| share * all)
-        });
-        vary(first, &known.collect::<Vec<_>>(), made);
+        vary(first, &in_cells(domain, spots, known, turned, cells), made);
     });
+}
+
+/// The interpolated values of all cells of a domain; `known` and `turned` as in [`interpolate_parameters`].
+#[must_use]
+pub fn interpolate<D: Domain, const N: usize>(
+    domain: &D,
+    spots: &[Kernel<D::Place>],
+    known: &[[f64; N]],
+    turned: fn(&[f64; N], f64) -> [f64; N],
+) -> Vec<[f64; N]> {
+    let (part, count) = (domain.part(), domain.cells());
+    let of_part = |first: usize| in_cells(domain, spots, known, turned, first..(first + part).min(count));
+    let firsts: Vec<usize> = (0..count).step_by(part).collect();
+    firsts.into_par_iter().map(of_part).collect::<Vec<_>>().concat()
+}
+
+/// The interpolated values of some cells that follow each other.
+fn in_cells<D: Domain, const N: usize>(
+    domain: &D,
+    spots: &[Kernel<D::Place>],
+    known: &[[f64; N]],
+    turned: fn(&[f64; N], f64) -> [f64; N],
+    cells: Range<usize>,
+) -> Vec<[f64; N]> {
+    let mut sums = vec![(0.0, [0.0; N]); cells.len()];
+    for (spot, known) in spots.iter().zip(known).filter(|(spot, _)| spot.may_reach(domain, &cells)) {
+        add(&mut sums, cells.clone(), domain, spot, known, turned);
+    }
+    let mean = |(sum, all): (f64, [f64; N])| {
+        let share = 1.0 / (GROUND + sum);
+        all.map(|all| share * all)
+    };
+    sums.into_iter().map(mean).collect()
 }
 
 /// The weights of a spot.
@@ -72,7 +99,8 @@ pub struct Kernel<P = [f64; 2]> {
 }
 
 impl<P: Copy> Kernel<P> {
-    /// Of a spot at a place, cells, with its `own` parameters, where the `ground` has these; both in the frame of that place.
+    /// The kernel of a spot at a place, cells, with its `own` parameters; the `ground` has other ones. Both are in the frame of
+    /// that place.
     #[must_use]
     pub fn new<D: Domain<Place = P>>(
         system: System,
@@ -91,14 +119,14 @@ impl<P: Copy> Kernel<P> {
         domain.may_reach(self.spot.at, self.far(), cells)
     }
 
-    /// Cells farther away are omitted.
+    /// Distance, cells, beyond which the weights are omitted.
     fn far(&self) -> f64 {
         self.tau * (-2.0 * LEAST).sqrt() * self.spot.reach
     }
 }
 
-/// τ of a spot of its `own` parameters among others of those of the `ground`. A spot much larger than those around it has its
-/// own value up to its edge, and not in their places: its slow reactions would kill them.
+/// τ of a spot with its `own` parameters among others with the parameters of the `ground`. A spot much larger than its neighbours
+/// has its own value up to its edge, but not at the places of its neighbours, which would vanish by its slow reactions.
 fn tau(system: System, own: &Parameters, ground: &Parameters) -> f64 {
     let [pitch, around] = [own, ground].map(|p| system.spacing(p) / p.apart());
     TAU * ((EDGE * pitch + BEYOND * around) / ((EDGE + BEYOND) * pitch)).min(1.0)
@@ -128,8 +156,8 @@ fn add<D: Domain, const N: usize>(
     });
 }
 
-/// The weights e^q along a run of `length` places that begins at `displacement` and goes on along the first axis, q = Δᵀ M Δ with the
-/// negative `form` M: the part of the run on which q is above [`LEAST`], and its weights.
+/// The weights e^q along a run of `length` places that begins at `displacement` and continues along the first axis, q = Δᵀ M Δ with
+/// the negative `form` M. Returns the part of the run on which q is above [`LEAST`], and its weights.
 ///
 /// The ratio of neighbouring weights is a geometric series, as q is quadratic: two products a place instead of an exponential
 /// function. The relative error grows with the square of the places: 10⁻⁸ at the hundredth.

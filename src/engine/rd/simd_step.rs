@@ -26,11 +26,11 @@ struct Row<'a> {
     grid: RowLayout,
     /// Weights of the isotropic stencil along x, along y, and of the cell itself.
     isotropic: [f32; 3],
-    /// Of the first tensor.
+    /// Weights of the first tensor.
     weights: Numbers<'a>,
     mobility: Numbers<'a>,
     rate: Numbers<'a>,
-    /// Read for the others alone.
+    /// The tensors; read for all but the first.
     tensors: &'a [Diffusion],
 }
 
@@ -75,9 +75,9 @@ impl Row<'_> {
     }
 }
 
-/// What the cells of a row are stepped from.
+/// The rows from which a row is stepped.
 pub struct Source<'a, const N: usize> {
-    /// The rows about it.
+    /// The rows y − REACH ..= y + REACH.
     pub window: Window<'a, N>,
     /// The row before the last stage; not read in the first.
     pub before: [&'a [f32]; N],
@@ -134,7 +134,7 @@ pub fn step_row<const N: usize, K: Kinetics<N>, V: Vector>(
         }
         first = part.end;
         if const { K::TENSORS > 1 } {
-            // They use different offsets in one group: code for one set of them would never run, and takes long to compile.
+            // Groups with different offsets: special code for one set of them would never run, and takes long to compile.
             if run.edge {
                 step_groups::<N, K, V, MIXED, true>(row, step, from, to, part, run.same);
             } else {
@@ -176,8 +176,9 @@ fn step_alike<const N: usize, K: Kinetics<N>, V: Vector>(
     step!(0 1 2 3 4 5 6 7 8 9 10 11);
 }
 
-/// Steps groups that use the same offsets. `SET`: these, by place in [`SETS`](crate::rd::stencil_sets::SETS), or [`MIXED`] or [`UNIT`]. Where `EDGE`
-/// is false, nothing beyond a closed edge is within reach. `same`: all have the coefficients of the first.
+/// Steps groups that use one set of offsets. `SET` is the index of this set in [`SETS`](crate::rd::stencil_sets::SETS), or
+/// [`MIXED`] or [`UNIT`]. If `EDGE` is false, nothing beyond a closed edge is within reach. `same`: all groups have the
+/// coefficients of the first.
 #[inline(always)]
 fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, const EDGE: bool>(
     row: Row,
@@ -187,7 +188,7 @@ fn step_groups<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, cons
     groups: Range<usize>,
     same: bool,
 ) {
-    // Pointers: a write through one slice would make the compiler reload the addresses of the others.
+    // Pointers, because a write through one slice would make the compiler reload the addresses of the others.
     let mut rows = [[std::ptr::null(); 2 * REACH + 1]; N];
     let (mut before, mut out) = ([std::ptr::null(); N], [std::ptr::null_mut(); N]);
     for i in 0..N {
@@ -277,7 +278,7 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
     for i in 0..N {
         macro_rules! pair {
             ($offset:expr) => {
-                // SAFETY: as for `step_groups`, whose this is a part.
+                // SAFETY: as for `step_groups`, of which this is a part.
                 unsafe { neighbours::<V, EDGE>(row, place, &rows[i], $offset, u[i]) }
             };
         }
@@ -291,7 +292,7 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
                 } else {
                     (coefficients.used, coefficients.weights)
                 };
-                // SAFETY: as for `step_groups`, whose this is a part.
+                // SAFETY: as for `step_groups`, of which this is a part.
                 unsafe { mixed::<V, EDGE>(row, place, &rows[i], stencil, u[i]) }
             }
             Spreading::Tensor { .. } => {
@@ -318,7 +319,7 @@ unsafe fn spread<const N: usize, K: Kinetics<N>, V: Vector, const SET: usize, co
     spread
 }
 
-/// Σ wₖ (u(x + eₖ) + u(x − eₖ)) and 2 Σ wₖ of the offsets in use, given as bits, and their weights.
+/// Σ wₖ (u(x + eₖ) + u(x − eₖ)) and 2 Σ wₖ over the offsets in use, which are given as bits, and their weights.
 #[inline(always)]
 unsafe fn mixed<V: Vector, const EDGE: bool>(
     row: &Row,
@@ -330,7 +331,7 @@ unsafe fn mixed<V: Vector, const EDGE: bool>(
     let (mut sum, mut weights, mut kept) = (V::splat(0.0), V::splat(0.0), 0);
     while used != 0 {
         let offset = OFFSETS[used.trailing_zeros() as usize];
-        // SAFETY: no more numbers are read than the group stores; for the rest as for `step_groups`, whose this is a part.
+        // SAFETY: no more numbers are read than the group stores; for the rest as for `step_groups`, of which this is a part.
         let (weight, pair) = unsafe {
             (number::<V>(packs, kept, place % LANES), neighbours::<V, EDGE>(row, place, rows, offset, own))
         };
@@ -342,7 +343,7 @@ unsafe fn mixed<V: Vector, const EDGE: bool>(
     (sum, V::splat(2.0) * weights)
 }
 
-/// u(x + e) + u(x − e). What lies beyond a closed edge counts as the cell's `own`.
+/// u(x + e) + u(x − e). A cell beyond a closed edge has the value of the cell itself, `own`.
 #[inline(always)]
 unsafe fn neighbours<V: Vector, const EDGE: bool>(
     row: &Row,
@@ -351,7 +352,7 @@ unsafe fn neighbours<V: Vector, const EDGE: bool>(
     [dx, dy]: [isize; 2],
     own: V,
 ) -> V {
-    // SAFETY: as for `step_groups`, whose this is a part.
+    // SAFETY: as for `step_groups`, of which this is a part.
     let [mut there, mut back] = unsafe {
         [
             V::load(rows[REACH.wrapping_add_signed(dy)].add(place).offset(dx)),
@@ -365,8 +366,8 @@ unsafe fn neighbours<V: Vector, const EDGE: bool>(
     there + back
 }
 
-/// Replaces those of the concentrations `there`, at an offset (dx, dy) from the cells `own`, that lie beyond the border by
-/// the cells' own, so that nothing flows across it.
+/// Replaces the concentrations `there`, at an offset (dx, dy) from the cells `own`, by the cells' own if they lie beyond the
+/// border, so that nothing flows across it.
 #[inline(always)]
 fn keep_inside<V: Vector>(row: &Row, place: usize, [dx, dy]: [isize; 2], own: V, there: V) -> V {
     if !(0..row.grid.ny as isize).contains(&(row.y as isize + dy)) {

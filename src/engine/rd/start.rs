@@ -18,9 +18,9 @@ pub struct Start<'a> {
     pub lines: &'a [GuideLine],
     /// Curves along which lines begin; `None` = everywhere.
     pub curves: Option<&'a GuideCurves>,
-    /// What stripes begin from: noise, segments or lines.
+    /// Initial state of stripes: noise, segments or lines.
     pub seeding: Seeding,
-    /// Whether the marks run along `lines`, or between these.
+    /// Whether the marks run along `lines`, or between them.
     pub polarity: Polarity,
 }
 
@@ -32,8 +32,8 @@ impl Start<'_> {
     }
 }
 
-/// The concentrations of so many `chemicals` over the cells of `maps`: `fill` writes those of some cells that follow each
-/// other, one slice a chemical, from their `values`, one a cell, and their parameters.
+/// The concentrations of `chemicals` chemicals over the cells of `maps`. `fill` writes the concentrations of some consecutive
+/// cells, one slice a chemical, from their `values`, one a cell, and their parameters.
 pub fn by_cell<D: Domain>(
     maps: &ParameterField<D>,
     chemicals: usize,

@@ -1,4 +1,4 @@
-//! The stencils of [`LANES`] tensors side by side. Neighbours mostly have the same obtuse superbase, which saves Selling's reduction.
+//! The stencils of [`LANES`] tensors side by side. Neighbours mostly have equal obtuse superbases, which saves Selling's reduction.
 
 use multiversion::multiversion;
 
@@ -16,13 +16,13 @@ pub(super) struct StencilLanes {
 }
 
 impl StencilLanes {
-    /// For cells that are `cell[0]` wide and `cell[1]` high.
+    /// Stencils for cells that are `cell[0]` wide and `cell[1]` high.
     pub(super) fn new(cell: [f64; 2]) -> Self {
         Self { cell, superbase: Superbase::of(&Tensor { xx: 1.0, xy: 0.0, yy: 1.0 }), known: None }
     }
 
-    /// Writes the weights of the tensors with these `axes` by offset, as [`Tensor::stencil`] gives them up to rounding; only those of
-    /// the offsets that are returned as bits, which some tensor uses. `weights` hold what was written for the last group.
+    /// Writes the weights of the tensors with these `axes` by offset, equal to [`Tensor::stencil`] up to rounding; only for the
+    /// offsets that some tensor uses, which are returned as bits. `weights` hold the values of the last group.
     pub(super) fn write(
         &mut self,
         axes: &[PrincipalAxes; LANES],
@@ -38,7 +38,7 @@ impl StencilLanes {
         used
     }
 
-    /// Writes the weights of tensors for all of which the superbase of the last group is obtuse.
+    /// Writes the weights of tensors that all have the obtuse superbase of the last group.
     fn side_by_side(
         &self,
         axes: &[PrincipalAxes; LANES],
@@ -115,7 +115,7 @@ mod tests {
         let mut lanes = StencilLanes::new(cell);
         let mut weights = [Lanes([0.0; LANES]); OFFSETS.len()];
         let mut mixed = 0;
-        // Neighbours are alike in some groups, and in others of all directions; every third group is the one before again.
+        // In some groups neighbours are alike, in others they have all directions; every third group repeats the one before.
         for group in 0..900 {
             let of = group - group % 3 / 2;
             let spread = [0.0, 0.02, 0.3, 11.0][of / 3 % 4];

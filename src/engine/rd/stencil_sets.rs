@@ -1,10 +1,10 @@
-//! The sets of offsets for which the solver has code of its own.
+//! The sets of offsets for which the solver has special code.
 
 use crate::rd::selling::OFFSETS;
 
-/// The sets of [`OFFSETS`] that Selling's reduction ends with: the axes (isotropic diffusion and tensors along the
-/// axes), with a diagonal, or with a knight's move between; then the unions that groups use where one set changes to another.
-/// The last offset of a shorter set is repeated.
+/// The sets of [`OFFSETS`] that Selling's reduction gives: the axes (isotropic diffusion and tensors along the axes), the axes with
+/// a diagonal, or with a knight's move between; then the unions that groups use where one set changes to another. Shorter sets
+/// repeat their last offset.
 pub const SETS: [[usize; 4]; 12] = [
     [0, 1, 1, 1],
     [0, 1, 2, 2],
@@ -20,7 +20,7 @@ pub const SETS: [[usize; 4]; 12] = [
     [0, 1, 3, 7],
 ];
 
-/// Any other set: looked up while stepping.
+/// Any other set: its offsets are looked up during the step.
 pub const MIXED: usize = SETS.len();
 
 /// The axes, with weights that are all 1: the multiplications are omitted, which changes no bit.

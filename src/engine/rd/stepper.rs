@@ -6,7 +6,7 @@ use super::solver::Solver;
 use super::super_step::euler_steps_a_stage;
 use super::wavefront::{Instructions, Scratch, Tiling};
 
-/// Chemicals with the problem that they solve, and how far they are.
+/// Chemicals with the problem that they solve, and the number of steps taken.
 #[derive(Clone, Debug)]
 pub(super) struct Stepper {
     pub problem: Problem,
@@ -19,7 +19,7 @@ pub(super) struct Stepper {
 }
 
 impl Stepper {
-    /// Before the first step; an Euler step takes the time `euler_step`.
+    /// A stepper before its first step; an Euler step takes the time `euler_step`.
     pub fn new(problem: Problem, chemicals: Box<dyn Chemicals>, euler_step: f64) -> Self {
         Self { problem, chemicals, scratch: Scratch::default(), euler_step, steps: 0 }
     }
@@ -41,7 +41,7 @@ impl Stepper {
         }
     }
 
-    /// Takes `steps` explicit steps with this tiling and these instructions. All give the same bits.
+    /// Takes `steps` explicit steps with this tiling and these instructions. The bits do not depend on the two.
     pub fn advance_as(&mut self, steps: u64, tiling: Tiling, instructions: Instructions) {
         let tiling = tiling.with_whole(self.problem.stages);
         let mut left = self.whole(steps);
@@ -54,8 +54,8 @@ impl Stepper {
         }
     }
 
-    /// Takes `steps` explicit steps with the plain solver: the same bits, slower. The fast solver is tested and measured against
-    /// it.
+    /// Takes `steps` explicit steps with the plain solver, which gives the bits of the fast solver, but more slowly. The fast
+    /// solver is tested and measured against it.
     pub fn advance_plain(&mut self, steps: u64) {
         for _ in 0..self.whole(steps) {
             let clock = self.clock();

@@ -9,27 +9,27 @@
 //!
 //! Its patterns at rest are those of Euler's. One stage is an Euler step.
 
-/// Most stages of a super step: a sweep of the fast solver takes one at least (`Tiling`).
+/// Most stages of a super step: a sweep of the fast solver takes at least one super step (`Tiling`).
 const MOST: usize = 6;
 
-/// The numbers of stage j.
+/// The coefficients of stage j.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stage {
-    /// 1 − 1/j: the share of the change by the stage before that is repeated.
+    /// 1 − 1/j: the share of the change in the previous stage that is repeated.
     pub repeated: f32,
     /// 2 − 1/j: the factor of the change by reaction and diffusion.
     pub weight: f32,
 }
 
 impl Stage {
-    /// The stage that follows `taken` others, in super steps of `stages`.
+    /// The coefficients of the stage after `taken` others, in super steps of `stages`.
     #[must_use]
     pub fn after(taken: usize, stages: usize) -> Self {
         let inverse = 1.0 / (taken % stages + 1) as f32;
         Self { repeated: 1.0 - inverse, weight: 2.0 - inverse }
     }
 
-    /// Whether it repeats none of the change before.
+    /// Whether the stage repeats nothing of the previous change.
     #[must_use]
     #[inline(always)]
     pub fn is_first(self) -> bool {
@@ -49,8 +49,8 @@ pub fn euler_steps_a_stage(stages: usize) -> f64 {
     euler_steps(stages) as f64 / stages as f64
 }
 
-/// The most stages with which the reactions stay accurate: a super step is at most `limit` long, and an Euler step `step`
-/// (time × rate, where reactions are fastest).
+/// The largest number of stages with which the reactions stay accurate: a super step is at most `limit` long, and an Euler step
+/// `step` (time × rate, where reactions are fastest).
 #[must_use]
 pub fn suited(step: f32, limit: f32) -> usize {
     (2..=MOST).take_while(|stages| euler_steps(*stages) as f32 * step <= limit).last().unwrap_or(1)

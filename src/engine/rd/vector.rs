@@ -65,7 +65,7 @@ impl Number for f32 {
 
 /// Several numbers side by side.
 pub trait Vector: Number {
-    /// How many.
+    /// Number of lanes.
     const WIDTH: usize;
 
     /// Loads the numbers at `from`, which need not be aligned.
@@ -80,7 +80,7 @@ pub trait Vector: Number {
     /// `WIDTH` numbers must be writable there.
     unsafe fn store(self, to: *mut f32);
 
-    /// Lane by lane, `self` where a < b and `other` elsewhere.
+    /// In each lane, `self` where a < b and `other` elsewhere.
     #[must_use]
     fn where_less(self, a: Self, b: Self, other: Self) -> Self;
 }

@@ -1,10 +1,10 @@
 //! The fast solver: several steps in one sweep over the grid, so that the result of a step is still in the cache when the
 //! next step reads it; multithreaded.
 //!
-//! Time step l of a sweep is the pattern l steps on. While the sweep moves down, time step l trails time step l − 1 by the
-//! reach of the stencil, and the time steps between the first and the last keep only the few rows that the next one reads.
-//! Each thread steps a band of rows, and also the rows of neighbouring bands that it needs. For any tiling every cell is
-//! computed from the same numbers in the same order, so the bits are those of [`super::explicit`].
+//! Time step l of a sweep is the pattern after l more steps. While the sweep moves down, time step l trails time step l − 1 by the
+//! reach of the stencil. The time steps between the first and the last keep only the few rows that the next one reads. Each thread
+//! steps a band of rows, and also the rows of neighbouring bands that it needs. With any tiling every cell is computed from equal
+//! numbers in one order, so the bits are those of [`super::explicit`].
 
 use std::ops::Range;
 
@@ -22,7 +22,7 @@ use crate::grid::Edges;
 use crate::rd::simd_step::{Source, Window, step_row};
 use crate::rd::super_step::Stage;
 
-/// How a sweep is divided.
+/// The division of a sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tiling {
     /// Stages in a sweep, at least 1: rounded down to whole super steps, one at least.
@@ -34,7 +34,7 @@ pub struct Tiling {
 /// Bytes of a core's second-level cache for the rows between the time steps and the coefficients: many processors have this
 /// much; tuned at 1024², 2048² and 6000² on one with 2 MB.
 const CACHE: usize = 1 << 20;
-/// Most stages in a sweep, unless a super step has more; more were no faster.
+/// Most stages in a sweep, unless a super step has more; more stages were no faster.
 const TIME_STEPS: usize = 8;
 /// Largest share of rows that a band steps although they belong to a neighbour: the cost of dividing the work.
 const SHARED: f64 = 0.06;
@@ -112,9 +112,8 @@ impl Instructions {
 #[derive(Clone, Debug, Default)]
 pub struct Scratch(Vec<Vec<Vec<Lanes>>>);
 
-/// Takes a stage by each of `kinetics`, whole super steps, on `bands` bands of rows, from `old` into `new` (whose contents do not
-/// matter).
-/// Instructions that the machine lacks are replaced by the baseline: the bits are the same.
+/// Takes one stage for each of `kinetics`, whole super steps, on `bands` bands of rows, from `old` into `new` (whose contents do
+/// not matter). Instructions that the machine lacks are replaced by the baseline, with equal bits.
 pub fn sweep<const N: usize, K: Kinetics<N>>(
     problem: &Problem,
     kinetics: &[K],
@@ -157,7 +156,7 @@ struct Band<'a, const N: usize, K> {
     problem: &'a Problem,
     /// The reaction of each step.
     kinetics: &'a [K],
-    /// The numbers of each step.
+    /// The coefficients of each step.
     stages: &'a [Stage],
     old: &'a [Plane; N],
     rows: Range<usize>,
@@ -229,7 +228,7 @@ impl<const N: usize, K: Kinetics<N>> Band<'_, N, K> {
             (if slot < ring_rows { slot } else { slot - ring_rows }) * N * stride
         };
         let (below, here) = self.rings.split_at_mut(time_step - 1);
-        // The ring of the time step before the last still keeps row y: it is its oldest.
+        // The ring of the time step before the last still holds row y: its oldest row.
         let before: [&[f32]; N] = std::array::from_fn(|i| match time_step {
             0..=2 => self.old[i].memory(grid.row(y)),
             _ => &cast_slice(&below[time_step - 3])[slot(reach) + i * stride..][..stride],

@@ -1,4 +1,4 @@
-//! Which triangles lie beside each other.
+//! Adjacency of triangles.
 //!
 //! The half-edge 3 · f + k runs from corner k of face f to the next corner; the face lies to its left. The two half-edges
 //! of an edge between two faces are twins. The half-edges that leave a vertex form its fan, counter-clockwise.
@@ -19,15 +19,15 @@ pub fn previous(half: u32) -> u32 {
 /// Neighbourhood of the faces of a manifold.
 #[derive(Clone, Debug)]
 pub struct Adjacency {
-    /// By half-edge: the other of its edge, or [`NONE`].
+    /// By half-edge: the other half-edge of its edge, or [`NONE`].
     pub twins: Vec<u32>,
-    /// By vertex: the first half-edge of its fan, which has no twin where the vertex is on a border; [`NONE`] of one without
+    /// By vertex: the first half-edge of its fan, which has no twin if the vertex is on a border; [`NONE`] for a vertex without
     /// faces.
     pub first: Vec<u32>,
 }
 
 impl Adjacency {
-    /// Of these faces between so many vertices. Of edges with more than two faces only two are joined.
+    /// The adjacency of these faces between this number of vertices. If an edge has more than two faces, only two are joined.
     pub fn new(vertices: usize, faces: &[[u32; 3]]) -> Self {
         let origin = |half: u32| faces[half as usize / 3][half as usize % 3];
         let halves = 0..3 * faces.len() as u32;
@@ -60,7 +60,7 @@ impl Adjacency {
         Self { twins, first }
     }
 
-    /// The half-edge that leaves the same vertex after this one, counter-clockwise; [`NONE`] at a border.
+    /// The next half-edge that leaves the same vertex, counter-clockwise; [`NONE`] at a border.
     pub fn turned(&self, half: u32) -> u32 {
         self.twins[previous(half) as usize]
     }

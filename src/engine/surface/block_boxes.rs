@@ -1,4 +1,4 @@
-//! Boxes about vertices that follow each other, to tell at once that all of a range are far.
+//! Bounding boxes of consecutive vertices, to test quickly whether all of a range are far away.
 
 use std::ops::Range;
 
@@ -27,14 +27,15 @@ impl BlockBoxes {
         Self { boxes: positions.chunks(BLOCK).map(bounds).collect() }
     }
 
-    /// Whether some vertices of a range may lie within `reach` of a point: no way along a surface is shorter than the straight one.
+    /// Whether some vertices of a range may lie within `reach` of a point: a path along a surface is at least as long as the
+    /// straight line.
     pub fn may_reach(&self, point: Vector, reach: f64, among: &Range<usize>) -> bool {
         let blocks = among.start / BLOCK..among.end.div_ceil(BLOCK).min(self.boxes.len());
         let square = |[low, high]: &[Vector; 2]| {
             let off = |axis: usize| (low[axis] - point[axis]).max(point[axis] - high[axis]).max(0.0);
             (0..3).map(|axis| off(axis) * off(axis)).sum::<f64>()
         };
-        // A hair, for the rounding of ways.
+        // A margin for the rounding of lengths.
         self.boxes[blocks].iter().any(|bounds| square(bounds) <= reach * reach * (1.0 + 1e-9))
     }
 }

@@ -1,4 +1,4 @@
-//! How far places are from an open border.
+//! Distances of places from an open border.
 
 use super::geodesic;
 use super::point::SurfacePoint;
@@ -10,17 +10,17 @@ pub struct Border {
 }
 
 impl Border {
-    /// The border of a surface; `None` where there is none.
+    /// The border of a surface; `None` if it has none.
     pub fn new(surface: &Surface) -> Option<Self> {
         let cells = 0..surface.mesh.positions.len();
         let on_border = cells.filter(|vertex| surface.is_on_border(*vertex)).map(|vertex| (vertex, 0.0));
         let depths = geodesic::spread(surface, on_border);
-        // A part without a border is infinitely far from any.
+        // A part without a border is infinitely far from every border.
         depths.iter().any(|depth| depth.is_finite()).then_some(Self { depths })
     }
 
-    /// the shortest displacement to the border and as far beyond it, in the frame of a place; `None` if it is longer than `reach` or
-    /// leads nowhere. A place on the border has a way of the length `least`.
+    /// Twice the shortest displacement to the border, which leads to the mirror image of a place, in the frame of the place. `None`
+    /// if it is longer than `reach` or cannot be followed. For a place on the border it has the length `least`.
     pub fn image(&self, surface: &Surface, place: SurfacePoint, reach: f64, least: f64) -> Option<[f64; 2]> {
         let depth = surface.interpolate(place, |vertex| self.depths[vertex]);
         if depth.is_nan() || 2.0 * depth > reach {
@@ -31,7 +31,7 @@ impl Border {
         let depth_at = |k: usize| self.depths[vertices[(corner + k) % 3] as usize];
         let [[ax, ay], [bx, by]] = surface.tangents.corners[3 * place.face as usize + corner];
         let (a, b) = (depth_at(1) - depth_at(0), depth_at(2) - depth_at(0));
-        // The gradient g has g · way = difference for both corners.
+        // The gradient g satisfies g · displacement = difference for both corners.
         let area = ax * by - ay * bx;
         let inward = [a * by - b * ay, b * ax - a * bx].map(|part| part / area);
         let steep = (inward[0] * inward[0] + inward[1] * inward[1]).sqrt();

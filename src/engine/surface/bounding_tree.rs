@@ -18,9 +18,9 @@ pub struct BoundingTree {
 struct Node {
     low: Vector,
     high: Vector,
-    /// The second child of an inner node, the end of the triangles of a leaf.
+    /// The second child of an inner node, or the end of the triangles of a leaf.
     other: u32,
-    /// The first triangle of a leaf; [`INNER`] of an inner node.
+    /// The first triangle of a leaf; [`INNER`] for an inner node.
     first: u32,
 }
 
@@ -29,18 +29,18 @@ const INNER: u32 = u32::MAX;
 /// The point of a triangle nearest to another.
 #[derive(Clone, Copy, Debug)]
 pub struct Nearest {
-    /// Which triangle.
+    /// The index of the triangle.
     pub triangle: u32,
-    /// Shares of its corners, with the sum 1.
+    /// Barycentric coordinates, with the sum 1.
     pub weights: [f64; 3],
-    /// Where it is.
+    /// Its position.
     pub at: Vector,
     /// Its distance, squared.
     pub square: f64,
 }
 
 impl BoundingTree {
-    /// Of these triangles, which may be segments or points.
+    /// A tree of these triangles, which may be degenerate to segments or points.
     pub fn new(triangles: impl IntoIterator<Item = [Vector; 3]>) -> Self {
         let mut triangles: Vec<_> = (0..).zip(triangles).collect();
         let mut nodes = Vec::with_capacity(triangles.len());
@@ -49,7 +49,7 @@ impl BoundingTree {
         Self { nodes, triangles }
     }
 
-    /// The nearest point of the triangles for which `is_fit` holds; the first of several. `None` where it holds for none.
+    /// The nearest point of the triangles for which `is_fit` holds; the first of several. `None` if it holds for none.
     pub fn nearest(&self, point: Vector, is_fit: impl Fn(u32) -> bool) -> Option<Nearest> {
         let mut best: Option<Nearest> = None;
         let mut stack = [(0u32, 0.0f64); 64];
@@ -64,7 +64,7 @@ impl BoundingTree {
             if node.first == INNER {
                 let children = [index + 1, node.other];
                 let [a, b] = children.map(|child| (child, self.nodes[child as usize].square_to(point)));
-                // The nearer one is taken first.
+                // The nearer node is searched first.
                 let (near, far) = if b.1 < a.1 { (b, a) } else { (a, b) };
                 stack[depth] = far;
                 stack[depth + 1] = near;
@@ -85,7 +85,7 @@ impl BoundingTree {
     }
 }
 
-/// Splits half of the triangles from the others, at the median along the longest side of the box of their middles.
+/// Separates half of the triangles from the others, at the median along the longest side of the box of their centres.
 fn build(all: &mut [(u32, [Vector; 3])], range: std::ops::Range<usize>, nodes: &mut Vec<Node>) {
     let triangles = &mut all[range.clone()];
     let mut node = Node { low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3], other: 0, first: INNER };

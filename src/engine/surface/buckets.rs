@@ -11,8 +11,8 @@ use super::point::SurfacePoint;
 use super::triangle_surface::Surface;
 use crate::grid::{Buckets, Domain};
 
-/// Buckets that are the cells of a surface. A point near a border has its mirror image beyond it as a neighbour, so that others do not
-/// push it onto the border.
+/// Buckets that are the cells of a surface. A point near a border has its mirror image beyond it as a neighbour, so that other
+/// points do not push it onto the border.
 #[derive(Clone)]
 pub struct SurfaceBuckets<'a> {
     surface: &'a Surface,
@@ -25,11 +25,11 @@ impl<'a> SurfaceBuckets<'a> {
     }
 }
 
-/// How far places of a cell may lie from its centre, units.
+/// Largest distance of places of a cell from its centre, units.
 const FARTHEST_IN_CELL: f64 = 1.0;
-/// How far the corners of its faces may lie from it, units.
+/// Largest distance of the corners of its faces from the centre, units.
 const BESIDE: f64 = 1.0;
-/// A point on the border is so far from its image, units.
+/// Distance of a point on the border from its mirror image, units.
 const LEAST: f64 = 1e-3;
 
 impl Buckets for SurfaceBuckets<'_> {
@@ -67,7 +67,7 @@ impl Buckets for SurfaceBuckets<'_> {
         let farthest = (reach + FARTHEST_IN_CELL) * unit;
         (0..).map_while(move |number| {
             let mut map = map.borrow_mut();
-            // A cell is given once its faces are known, and no more is looked at before it is asked for.
+            // A cell is returned once its faces are known, and the search continues only on demand.
             while map.len() <= number || map.reached(map.len() - 1).1 < map.reached(number).1 + BESIDE * unit
             {
                 if map.advance(surface, farthest + BESIDE * unit).is_none() {

@@ -13,17 +13,18 @@ use crate::grid::{Borderless, Buckets, Domain, Space, atan2};
 /// Cells of a part that is handed to a thread. Not tuned.
 const PART: usize = 1 << 11;
 
-/// The way to what cannot be reached, units: on another part of the surface. Its square is still a number.
+/// The displacement to unreachable places, on another part of the surface, units. Its square is still finite.
 const NOWHERE: [f64; 2] = [1e100, 0.0];
 
-/// A vertex may be reached through a side of which one end lies farther, units.
+/// Largest excess of the distance of one end of a side through which a vertex may be reached, units.
 const BESIDE: f64 = 1.5;
 
-/// Normals whose cosine is above this are turned onto each other by the shortest rotation: 60°.
+/// Normals whose cosine is above this are aligned by the shortest rotation: 60°.
 const NEARLY_FLAT: f64 = 0.5;
 
 impl Surface {
-    /// Degrees to add to a direction in the frame of one vertex for the same along the shortest displacement to another.
+    /// Angle to add to a direction in the frame of one vertex for its parallel transport along the shortest displacement to
+    /// another, degrees.
     fn turn_along(&self, from: usize, to: usize) -> f64 {
         let [there, back] = [[from, to], [to, from]].map(|[from, to]| {
             let [x, y] = self.displacement(self.place_of(from), self.place_of(to));
@@ -77,11 +78,15 @@ impl Domain for Surface {
         if cos < NEARLY_FLAT {
             return self.turn_along(from, to);
         }
-        // The first axis, turned as the normal is turned.
+        // The first axis, rotated as the normal is rotated.
         let [first, _] = self.frame(from);
         let turned = minus(first, times(plus(normal, other), dot(first, other) / (1.0 + cos)));
         let [x, y] = self.frame(to).map(|axis| dot(turned, axis));
         atan2(y, x).to_degrees()
+    }
+
+    fn facing(&self, from: usize, to: usize) -> f64 {
+        dot(self.normal(from), self.normal(to))
     }
 
     fn neighbours(&self, cell: usize) -> impl Iterator<Item = usize> {
@@ -117,7 +122,7 @@ impl Domain for Surface {
     }
 
     fn place_in(&self, cell: usize, [u, v]: [f64; 2]) -> SurfacePoint {
-        // A third of one of the faces, by area: the corner, the middles of its sides and the middle of the face.
+        // A third of the area of one of the faces: the corner, the midpoints of its sides and the centre of the face.
         let weight = |half: u32| {
             let area = self.mesh.area_vector(half as usize / 3);
             dot(area, area).sqrt()
@@ -133,11 +138,11 @@ impl Domain for Surface {
             left -= weight(half);
         }
         let along = (left / weight(own)).clamp(0.0, 1.0);
-        // Two halves of the same area: one at each side of the corner.
+        // Two halves of equal area, one at each side of the corner.
         let (is_first, along) = if along < 0.5 { (true, 2.0 * along) } else { (false, 2.0 * along - 1.0) };
         let root = along.sqrt();
         let [a, b, c] = [1.0 - root, root * (1.0 - v), root * v];
-        // Of a, the corner; of b, the middle of a side; of c, the middle of the face.
+        // a, b, c: the weights of the corner, the midpoint of a side, and the centre of the face.
         let mut shares = [a + 0.5 * b + c / 3.0, 0.5 * b + c / 3.0, c / 3.0];
         if !is_first {
             shares.swap(1, 2);

@@ -1,4 +1,4 @@
-//! Distances along the surface.
+//! Distances along a surface.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -8,7 +8,7 @@ use super::point::SurfacePoint;
 use super::tangent::Spoke;
 use super::triangle_surface::Surface;
 
-/// How far about a source its tangent plane is asked, in units.
+/// Radius about a source within which distances are taken from its tangent plane, in units.
 const NEAR: f64 = 2.0;
 
 /// Distance of each vertex to the nearest of these places; infinite on parts without any.
@@ -22,7 +22,7 @@ pub fn distances(surface: &Surface, from: &[SurfacePoint]) -> Vec<f64> {
     spread(surface, from.iter().flat_map(near))
 }
 
-/// Distance of each vertex to the nearest of some vertices, for which it is known.
+/// Distance of each vertex to the nearest of some vertices with known distances.
 pub(super) fn spread(surface: &Surface, known: impl IntoIterator<Item = (usize, f64)>) -> Vec<f64> {
     let mut distances = vec![f64::INFINITY; surface.mesh.positions.len()];
     let mut heap = BinaryHeap::new();
@@ -47,7 +47,7 @@ pub(super) fn spread(surface: &Surface, known: impl IntoIterator<Item = (usize, 
                     heap.push(Reverse((distance.to_bits(), end as u32)));
                 }
             };
-            // Along the sides where nothing else is known, through the face otherwise.
+            // Along the sides if nothing else is known, otherwise through the face.
             match known {
                 [Some(other), None] => reach(ends[1], second.reached([distance, other]).distance),
                 [None, Some(other)] => reach(ends[0], first.reached([other, distance]).distance),

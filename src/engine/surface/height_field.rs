@@ -10,7 +10,7 @@ pub struct HeightField {
 }
 
 impl HeightField {
-    /// Heights of `size` px, row by row from the top; `None` where their number does not fit, or one is not finite.
+    /// Heights of `size` px, row by row from the top; `None` if their number is wrong, or one is not finite.
     #[must_use]
     pub fn new(size: [usize; 2], values: Vec<f32>) -> Option<Self> {
         let fits = size[0] * size[1] == values.len() && !values.is_empty();
@@ -23,8 +23,8 @@ impl HeightField {
         self.size
     }
 
-    /// The heights at the centres of the parts of a grid of [columns, rows], each the mean about it over a part. There are as many parts as px
-    /// along a side, at most. A plane stays the same plane.
+    /// The heights at the centres of the parts of a grid of [columns, rows], each the mean over a part around it. There are at most
+    /// as many parts as px along a side. A plane is not changed.
     #[must_use]
     pub fn averaged(&self, grid: [usize; 2]) -> Self {
         let grid = [0, 1].map(|axis| grid[axis].clamp(1, self.size[axis]));
@@ -39,8 +39,8 @@ impl HeightField {
         Self { size: grid, values }
     }
 
-    /// By how much it rises from one px to the next along x and y, at the px [column, row]: half the difference of both neighbours. Beyond a
-    /// closed border it goes on as before; beyond one that wraps it begins again.
+    /// The slope along x and y at the px [column, row], per px: half the difference of both neighbours. Beyond a closed border the
+    /// heights are extrapolated; beyond one that wraps they repeat.
     #[must_use]
     pub fn rise(&self, place: [usize; 2], edges: Edges) -> [f64; 2] {
         [0, 1].map(|axis| {
@@ -59,8 +59,8 @@ impl HeightField {
     }
 }
 
-/// The values of a line of `count` px at the centres of so many parts: between px linear, each px the mean of the px about it that are within half
-/// a part on both sides, fewer at the ends.
+/// The values of a line of `count` px at the centres of `parts` parts. Between px they are linear; each px is the mean of the px
+/// within half a part on either side, fewer at the ends.
 fn averaged_line(value: &dyn Fn(usize) -> f32, count: usize, parts: usize) -> Vec<f32> {
     let part = count as f64 / parts as f64;
     let mean = |px: usize| {
@@ -109,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn heights_that_are_no_numbers_or_do_not_fit_are_none() {
+    fn heights_that_are_not_finite_or_of_a_wrong_number_are_refused() {
         assert!(HeightField::new([2, 1], vec![0.0, f32::NAN]).is_none());
         assert!(HeightField::new([2, 2], vec![0.0; 3]).is_none());
         assert!(HeightField::new([0, 2], Vec::new()).is_none());

@@ -1,13 +1,13 @@
-//! Triangles known by the lengths of their edges alone, and the flips that make them Delaunay.
+//! Triangles that are given by the lengths of their edges alone, and the flips that make them Delaunay.
 //!
 //! Fisher, Springborn, Bobenko & Schröder, "An algorithm for the construction of intrinsic Delaunay triangulations with
 //! applications to digital geometry processing" (2006). After the flips the cotangents opposite every inner edge have a sum ≥ 0.
 
 use std::collections::VecDeque;
 
-/// Stands for the second triangle of an edge at the border.
+/// Index in place of the second triangle of an edge at the border.
 const NONE: u32 = u32::MAX;
-/// Flips are given up after so many for each edge: lengths that are no metric might never come to rest.
+/// Largest number of flips per edge: lengths that do not form a metric might never reach an end.
 const FLIPS_AN_EDGE: usize = 50;
 
 /// Triangles by the lengths of their edges.
@@ -17,14 +17,14 @@ pub struct Triangulation {
     pub corners: Vec<[u32; 3]>,
     /// The edges of each triangle: from corner k to corner k + 1.
     pub sides: Vec<[u32; 3]>,
-    /// By edge.
+    /// Lengths by edge.
     pub lengths: Vec<f64>,
     /// The one or two triangles of each edge.
     faces: Vec<[u32; 2]>,
 }
 
-/// The edges of triangles by their ends, the lower number first, in rising order; and the edges of each triangle, from
-/// corner k to corner k + 1.
+/// The edges of triangles by their ends, the lower index first, in ascending order; and the edges of each triangle, from corner k
+/// to corner k + 1.
 pub fn edges(faces: &[[u32; 3]]) -> (Vec<[u32; 2]>, Vec<[u32; 3]>) {
     let ends = |face: &[u32; 3], k: usize| {
         let (a, b) = (face[k], face[(k + 1) % 3]);
@@ -39,7 +39,8 @@ pub fn edges(faces: &[[u32; 3]]) -> (Vec<[u32; 2]>, Vec<[u32; 3]>) {
 }
 
 impl Triangulation {
-    /// Triangles with these corners, sides and lengths. An edge belongs to two triangles at most; further ones end there as at a border.
+    /// Triangles with these corners, sides and lengths. An edge belongs to at most two triangles; further triangles treat it as a
+    /// border.
     pub fn new(corners: Vec<[u32; 3]>, sides: Vec<[u32; 3]>, lengths: Vec<f64>) -> Self {
         let mut faces = vec![[NONE; 2]; lengths.len()];
         for (face, sides) in sides.iter().enumerate() {
@@ -79,7 +80,7 @@ impl Triangulation {
         }
     }
 
-    /// What lies around an inner edge; `None` of a border and where both sides are the same triangle.
+    /// The two triangles at an inner edge; `None` at a border and if both sides are one triangle.
     fn quad(&self, edge: u32) -> Option<Quad> {
         let [face, other] = self.faces[edge as usize];
         if face == NONE || other == NONE || face == other {
@@ -87,7 +88,7 @@ impl Triangulation {
         }
         let ([a, b, c], [_, bc, ca]) = self.from(face, edge)?;
         let ([d_from, d_to, d], [_, first, second]) = self.from(other, edge)?;
-        // The other triangle may be turned over, as somewhere on a Möbius strip.
+        // The other triangle may have the opposite orientation, as somewhere on a Möbius strip.
         let (ad, db) = if [d_from, d_to] == [a, b] { (second, first) } else { (first, second) };
         if a == b {
             return None;
@@ -104,7 +105,7 @@ impl Triangulation {
         Some(([0, 1, 2].map(|k| corners[(first + k) % 3]), [0, 1, 2].map(|k| sides[(first + k) % 3])))
     }
 
-    /// Puts the other diagonal in place of an edge; false where it would make a triangle without area.
+    /// Replaces an edge by the other diagonal; false if that would make a triangle without area.
     fn flip(&mut self, edge: u32, quad: &Quad) -> bool {
         let Quad { faces: [face, other], ends: [a, b], tips: [c, d], around: [bc, ca, ad, db], lengths } =
             *quad;
@@ -121,7 +122,7 @@ impl Triangulation {
         true
     }
 
-    /// An edge that now belongs to triangle `to` and no longer to `from`.
+    /// Moves an edge from triangle `from` to triangle `to`.
     fn hand_over(&mut self, edge: u32, from: u32, to: u32) {
         if let Some(face) = self.faces[edge as usize].iter_mut().find(|face| **face == from) {
             *face = to;
@@ -139,11 +140,11 @@ struct Quad {
     tips: [u32; 2],
     /// The edges bc, ca, ad, db.
     around: [u32; 4],
-    /// Of ab, bc, ca, ad, db.
+    /// The lengths of ab, bc, ca, ad, db.
     lengths: [f64; 5],
 }
 
-/// Sums of cotangents down to minus this count as 0: the diagonals of a square must not be flipped for ever.
+/// Sums of cotangents above the negative of this count as 0: the diagonals of a square must not be flipped for ever.
 const TOLERANCE: f64 = 1e-9;
 
 impl Quad {
@@ -153,7 +154,7 @@ impl Quad {
         cotangent(ab, [bc, ca]) + cotangent(ab, [ad, db]) >= -TOLERANCE
     }
 
-    /// The length of the other diagonal, with both triangles laid in a plane; `None` where it is not finite.
+    /// The length of the other diagonal, with both triangles laid in a plane; `None` if it is not finite.
     fn diagonal(&self) -> Option<f64> {
         let [ab, bc, ca, ad, db] = self.lengths;
         // With a at 0 and b on the first axis.
@@ -167,7 +168,7 @@ impl Quad {
     }
 }
 
-/// Four times the area of a triangle with these sides; 0 where they make none. Kahan's form of Heron's formula.
+/// Four times the area of a triangle with these sides; 0 if they form none. Kahan's form of Heron's formula.
 pub fn area4(sides: [f64; 3]) -> f64 {
     let mut sorted = sides;
     sorted.sort_unstable_by(f64::total_cmp);
@@ -176,7 +177,7 @@ pub fn area4(sides: [f64; 3]) -> f64 {
     product.max(0.0).sqrt()
 }
 
-/// The least area of a triangle ÷ the square of its longest side that counts: a thinner one has cotangents as large as this allows.
+/// Least area of a triangle ÷ the square of its longest side; for a thinner one the cotangents are limited to those of this ratio.
 const THINNEST: f64 = 1e-8;
 
 /// The cotangent of the angle opposite a side, between two others.
@@ -212,7 +213,7 @@ mod tests {
 
     #[test]
     fn the_long_diagonal_of_a_kite_is_flipped_to_the_short_one() {
-        // Also where the second triangle is turned over.
+        // Also if the second triangle has the opposite orientation.
         for faces in [[[0, 1, 2], [1, 0, 3]], [[0, 1, 2], [0, 1, 3]]] {
             let mut kite = kite(&faces);
             kite.flip_to_delaunay();

@@ -1,23 +1,22 @@
 //! The Laplacian of a surface in a metric, by cotangents: Σⱼ wᵢⱼ (uⱼ − uᵢ) ÷ mᵢ ≈ ∇·D∇u, for the tensor D whose inverse is the metric.
 //!
 //! Pinkall & Polthier (1993); Meyer, Desbrun, Schröder & Barr (2003); on intrinsic Delaunay triangles Bobenko & Springborn (2007).
-//! The weights are ≥ 0, as those of the stencils on grids: concentrations stay positive, and explicit steps are
-//! stable.
+//! The weights are ≥ 0, like those of the stencils on grids: concentrations stay positive, and explicit steps are stable.
 
 use super::intrinsic_delaunay::{Triangulation, area4, cotangent, edges};
 use super::mesh::Mesh;
 use super::metric::{Stretch, hold_triangle_inequality, lengths};
 
-/// A symmetric matrix without its diagonal, row by row, and the area that each vertex stands for. Lengths are in units of the mesh.
+/// A symmetric matrix without its diagonal, row by row, and the area of each vertex. Lengths are in units of the mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Laplacian {
-    /// Where each row begins, and the end of the last.
+    /// Start of each row, and the end of the last.
     pub starts: Vec<u32>,
-    /// By entry, the other vertex; rising in each row.
+    /// By entry, the other vertex; ascending in each row.
     pub columns: Vec<u32>,
-    /// By entry, > 0.
+    /// Weights by entry, > 0.
     pub weights: Vec<f64>,
-    /// By vertex, > 0.
+    /// Areas by vertex, > 0.
     pub mass: Vec<f64>,
 }
 
@@ -32,8 +31,8 @@ pub fn laplacian(mesh: &Mesh, frames: &[[[f64; 3]; 2]], stretch: &[Stretch]) -> 
     laplacian_of_lengths(triangles, &ratios)
 }
 
-/// The Laplacian of triangles that are known by the lengths of their edges in a metric. `ratios`, one a vertex: that of its
-/// [`Stretch`].
+/// The Laplacian of triangles that are given by the lengths of their edges in a metric. `ratios`: the ratio of the [`Stretch`] of
+/// each vertex.
 #[must_use]
 pub fn laplacian_of_lengths(mut triangles: Triangulation, ratios: &[f64]) -> Laplacian {
     triangles.flip_to_delaunay();
@@ -43,7 +42,7 @@ pub fn laplacian_of_lengths(mut triangles: Triangulation, ratios: &[f64]) -> Lap
         let sides = triangles.of(face);
         let area = 0.25 * area4(sides);
         for k in 0..3 {
-            // The side from corner k to the next, and its share of the cells of both: half of the triangle under the circumcentre.
+            // The side from corner k to the next, and its share of the cells of both: half of the triangle with the circumcentre.
             let [from, to] = [corners[k], corners[(k + 1) % 3]];
             let half = 0.5 * cotangent(sides[k], [sides[(k + 1) % 3], sides[(k + 2) % 3]]);
             halves.push((from, to, half));
@@ -59,16 +58,16 @@ pub fn laplacian_of_lengths(mut triangles: Triangulation, ratios: &[f64]) -> Lap
     Laplacian::of_entries(halves, mass).with_lifted_mass(ratios)
 }
 
-/// The least area of a cell ÷ a third of the triangles around it. At a border the circumcentric cell may have none.
+/// The least area of a cell ÷ a third of the triangles around it. At a border the circumcentric cell may have no area.
 const LEAST_CELL: f64 = 0.3;
 
-/// The largest diagonal entry × the mean area of the cells around, where diffusion is the same in all directions. A lattice of
-/// regular triangles has 3.46, a remeshed surface up to 7.5; the largest of all vertices sets the time step. With this one some
-/// 7 % of the vertices stand for more area, for 37 % fewer steps; areas of spots change by −.3 %.
+/// The largest diagonal entry × the mean area of the cells around, for isotropic diffusion. A lattice of regular triangles has
+/// 3.46, a remeshed surface up to 7.5; the largest value of all vertices determines the time step. With this limit about 7 % of the
+/// vertices get a larger area, which saves 37 % of the steps; areas of spots change by −0.3 %.
 const LARGEST_DIAGONAL: f64 = 4.8;
 
 impl Laplacian {
-    /// Sums up the entries of the same place; what is no edge from a vertex to another one is left out, and so are weights ≤ 0.
+    /// Sums up entries at equal places. Entries on the diagonal and weights ≤ 0 are left out.
     fn of_entries(mut entries: Vec<(u32, u32, f64)>, mass: Vec<f64>) -> Self {
         // Stable: equal entries are summed up in the order of the triangles, in both directions.
         entries.sort_by_key(|(row, column, _)| (*row, *column));
@@ -108,18 +107,18 @@ impl Laplacian {
         (0..values.len()).map(mean).collect()
     }
 
-    /// This operator with more area for cells that are small for their weights.
+    /// This operator with a larger area for cells that are too small for their weights.
     ///
-    /// Along a stretch ρ weights are larger by its mean (ρ + 1/ρ)/2; with the same limit a quarter of the vertices would
-    /// change, and spots would differ twice as much.
+    /// With a stretch ρ weights increase on average by (ρ + 1/ρ)/2. With an unchanged limit a quarter of the vertices would change,
+    /// and spots would differ twice as much.
     fn with_lifted_mass(self, ratios: &[f64]) -> Self {
-        // Over some three rings: the size of cells may follow that of the pattern.
+        // Mean over about three rings: the size of cells may follow that of the pattern.
         let cells = self.mean_around(&self.mean_around(&self.mass));
         let sums = self.sums();
         let lifted = |vertex: usize| {
             let ratio = ratios[vertex];
             let limit = LARGEST_DIAGONAL * 0.5 * (ratio + 1.0 / ratio);
-            // A vertex of no triangle has neither.
+            // A vertex without triangles has neither area nor weights.
             let mass = self.mass[vertex].max(sums[vertex] * cells[vertex] / limit);
             if mass > 0.0 { mass } else { 1.0 }
         };
@@ -173,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn it_is_0_of_a_linear_function_on_a_plate_whatever_the_stretch() {
+    fn it_is_0_for_a_linear_function_on_a_plate_whatever_the_stretch() {
         for mesh in plates() {
             for stretch in stretches() {
                 let laplacian = on_plate(&mesh, stretch);
@@ -187,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn of_a_quadratic_function_it_is_that_of_the_tensor_of_a_grid() {
+    fn for_a_quadratic_function_it_equals_that_of_the_tensor_on_a_grid() {
         let mesh = &plates()[0];
         for stretch in stretches() {
             let laplacian = on_plate(mesh, stretch);
@@ -200,7 +199,7 @@ mod tests {
             let quadratic = |[x, y, _]: &[f64; 3]| 0.5 * x * x + 0.25 * x * y - 1.5 * y * y;
             let values: Vec<f64> = mesh.positions.iter().map(quadratic).collect();
             let exact = xx + 0.5 * xy - 3.0 * yy;
-            // Cells of a lattice are alike, so that it is exact there, where none stands for more area.
+            // The cells of a lattice are alike, so that it is exact where no area is changed.
             for row in inner(mesh, 7.0) {
                 let found = applied(&laplacian, &values, row);
                 assert!((found - exact).abs() < 0.02 * (xx + yy), "{stretch:?}: {found} of {exact}");
@@ -280,7 +279,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_surface_gives_finite_numbers() {
+    fn meshes_that_are_no_surfaces_give_finite_numbers() {
         let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [5.0; 3]];
         for faces in
             [vec![], vec![[0, 0, 1]], vec![[0, 1, 2]], vec![[0, 1, 2], [1, 0, 3], [0, 1, 3], [0, 2, 1]]]

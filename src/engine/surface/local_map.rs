@@ -1,7 +1,7 @@
-//! The surface about a place, spread out in its tangent plane: how far and in which direction vertices lie.
+//! The surface about a place, mapped to its tangent plane: distances and directions of vertices.
 //!
-//! R. Schmidt, C. Grimm, B. Wyvill, "Interactive decal compositing with discrete exponential maps", SIGGRAPH 2006. Distances spread from
-//! face to face (see [`super::marching`]), so that nothing is reached through the body or across to another part.
+//! R. Schmidt, C. Grimm, B. Wyvill, "Interactive decal compositing with discrete exponential maps", SIGGRAPH 2006. Distances are
+//! propagated from face to face (see [`super::marching`]), so that no vertex is reached through the body or across to another part.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -11,16 +11,16 @@ use super::point::SurfacePoint;
 use super::tangent::Spoke;
 use super::triangle_surface::Surface;
 
-/// Vertices about a place, nearest first, with the ways to them in the frame of the place; lengths are those of the mesh.
+/// Vertices about a place, nearest first, with the displacements to them in the frame of the place; lengths are those of the mesh.
 #[derive(Clone, Debug)]
 pub struct LocalMap {
     /// The vertices in the order in which they were met.
     seen: Vec<Seen>,
-    /// Where in `seen` a vertex is, plus 1: open addressing.
+    /// Index in `seen` of a vertex, plus 1: open addressing.
     slots: Vec<u32>,
-    /// Vertices whose distance is known for sure, nearest first.
+    /// Vertices whose distance is final, nearest first.
     order: Vec<u32>,
-    /// Vertices whose distance may still fall, by the bits of their distances; some of them are shorter by now.
+    /// Vertices whose distance may still decrease, by the bits of their distances; for some a shorter distance is already known.
     front: BinaryHeap<Reverse<(u64, u32)>>,
 }
 
@@ -52,7 +52,7 @@ impl LocalMap {
         map
     }
 
-    /// A map of the cell of a place and of those around it, whose places in its tangent plane are known.
+    /// A map of the cell of a place and of the cells around it, whose positions in its tangent plane are known.
     pub fn about(surface: &Surface, place: SurfacePoint) -> Self {
         let mut map = Self {
             seen: Vec::with_capacity(SLOTS / 2),
@@ -82,7 +82,7 @@ impl LocalMap {
                 return None;
             }
             self.front.pop();
-            // Others have been reached by a shorter way meanwhile.
+            // Others have been reached by a shorter way in the meantime.
             if distance.to_bits() == bits {
                 self.seen[index as usize].is_known = true;
                 self.order.push(index);
@@ -92,7 +92,7 @@ impl LocalMap {
         }
     }
 
-    /// From a vertex that is known to its neighbours that are not, through the faces that have another known one.
+    /// Propagates distances from a final vertex to its neighbours that are not final, through the faces with another final vertex.
     fn spread(&mut self, surface: &Surface, index: u32) {
         let vertex = self.seen[index as usize].vertex;
         // The second corner of a face is the first of the next.
@@ -115,7 +115,7 @@ impl LocalMap {
         }
     }
 
-    /// Gives the corner opposite to the side between two known ones the shorter way. Returns where it is in `seen`.
+    /// Updates the corner opposite to the side between two final ones if the new distance is shorter. Returns its index in `seen`.
     fn reach(
         &mut self,
         known: [u32; 2],
@@ -150,7 +150,7 @@ impl LocalMap {
         slot
     }
 
-    /// Where in `seen` a vertex is.
+    /// The index of a vertex in `seen`.
     fn index(&self, vertex: u32) -> Option<u32> {
         self.slots[self.slot(vertex)].checked_sub(1)
     }
@@ -179,13 +179,13 @@ impl LocalMap {
         self.order.is_empty()
     }
 
-    /// The vertex that was reached as the one with this number, and its distance.
+    /// The vertex that was reached as number `number`, and its distance.
     pub fn reached(&self, number: usize) -> (usize, f64) {
         let Seen { vertex, distance, .. } = self.seen[self.order[number] as usize];
         (vertex as usize, distance)
     }
 
-    /// The vertices that were reached, with the ways to them, nearest first.
+    /// The vertices that were reached, with the displacements to them, nearest first.
     pub fn vertices(&self) -> impl Iterator<Item = (usize, [f64; 2])> {
         self.order.iter().map(|index| {
             let Seen { vertex, displacement, .. } = self.seen[*index as usize];
@@ -193,12 +193,13 @@ impl LocalMap {
         })
     }
 
-    /// The way to a vertex; `None` where it was not met.
+    /// The displacement to a vertex; `None` if it was not reached.
     pub fn way_to_vertex(&self, vertex: u32) -> Option<[f64; 2]> {
         self.index(vertex).map(|index| self.seen[index as usize].displacement)
     }
 
-    /// The way to a place; `None` where no corner of its face was met. Where not all were, it is the displacement to its cell.
+    /// The displacement to a place; `None` if no corner of its face was reached. If not all were, it is the displacement to its
+    /// cell.
     pub fn displacement(&self, surface: &Surface, place: SurfacePoint) -> Option<[f64; 2]> {
         let corners = surface.mesh.faces[place.face as usize].map(|vertex| self.way_to_vertex(vertex));
         let shares = place.shares();
@@ -214,9 +215,9 @@ impl LocalMap {
     }
 }
 
-/// The direction, of length 1, of what lies behind this share of the side between two vertices, which is so long.
+/// The direction, of length 1, of points behind this share of the side between two vertices; `side` is its length.
 fn direction([a, b]: [&Seen; 2], side: f64, share: f64) -> [f64; 2] {
-    // Two that lie on opposite sides of the place were reached round the body: what lies between them is reached past one of them.
+    // Two vertices on opposite sides of the place were reached around the body: points between them are reached past one of them.
     let is_round = a.displacement[0] * b.displacement[0] + a.displacement[1] * b.displacement[1] < 0.0
         && a.distance.min(b.distance) > side;
     let share = match is_round {
@@ -230,7 +231,7 @@ fn direction([a, b]: [&Seen; 2], side: f64, share: f64) -> [f64; 2] {
 }
 
 impl Surface {
-    /// The cell that a place lies in, and where in its tangent plane.
+    /// The cell of a place, and the position of the place in the tangent plane of the cell.
     pub(super) fn offset(&self, place: SurfacePoint) -> (usize, [f64; 2]) {
         let corner = place.corner();
         let half = 3 * place.face as usize + corner;

@@ -1,15 +1,16 @@
-//! How far a third corner of a triangle is from a source, by what is known of the other two.
+//! The distance of the third corner of a triangle from a source, computed from the distances of the other two.
 //!
 //! R. Kimmel, J. A. Sethian, "Computing geodesic paths on manifolds", PNAS 95 (1998), with the exact distance from a point: the triangle
 //! and the source are laid out in a plane, as by E. L. Melvær, M. Reimers, "Geodesic polar coordinates on polygonal meshes", Computer
 //! Graphics Forum 31 (2012).
 
-/// How a corner is reached.
+/// The way in which a corner is reached.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reached {
     /// Its distance from the source.
     pub distance: f64,
-    /// Where the displacement to it crosses the side between the other two, from the first to the second: 0..1.
+    /// The point at which the displacement to it crosses the side between the other two, as a share from the first to the second:
+    /// 0..1.
     pub share: f64,
 }
 
@@ -18,7 +19,7 @@ pub struct Reached {
 pub struct Opposite {
     /// Length of the side.
     pub side: f64,
-    /// Where the corner lies: along the side from its first end, and off it.
+    /// Position of the corner: along the side from its first end, and its distance from the side.
     pub along: f64,
     pub off: f64,
 }
@@ -30,19 +31,19 @@ impl Opposite {
         Self { side, along, off: (first * first - along * along).max(0.0).sqrt() }
     }
 
-    /// The corner, where the ends of the side are these distances from the source, which lies on the other side of it.
+    /// The corner, if the ends of the side have these distances from the source, which lies on the other side of it.
     #[inline]
     pub fn reached(&self, [near, far]: [f64; 2]) -> Reached {
         let Self { side, along, off } = *self;
         let source = (near * near - far * far + side * side) / (2.0 * side);
         let behind = (near * near - source * source).max(0.0).sqrt();
         let (across, up) = (along - source, off + behind);
-        // The way crosses the side at source + across · behind ÷ up.
+        // The straight line crosses the side at source + across · behind ÷ up.
         let crossing = source * up + across * behind;
         if crossing >= 0.0 && crossing <= side * up {
             return Reached { distance: (across * across + up * up).sqrt(), share: crossing / (side * up) };
         }
-        // Not through the side: past one of its ends.
+        // Not through the side, but past one of its ends.
         let beyond = side - along;
         let past = [near + (along * along + off * off).sqrt(), far + (beyond * beyond + off * off).sqrt()];
         if past[1] < past[0] {

@@ -5,20 +5,20 @@ use super::vector::{Vector, cross, dot, length, minus};
 /// Triangles that share vertices, counter-clockwise seen from outside.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
-    /// Where each vertex is.
+    /// The position of each vertex.
     pub positions: Vec<[f64; 3]>,
     /// The vertices of each triangle.
     pub faces: Vec<[u32; 3]>,
 }
 
 impl Mesh {
-    /// Where the corners of a face are.
+    /// The positions of the corners of a face.
     #[must_use]
     pub fn corners(&self, face: usize) -> [[f64; 3]; 3] {
         self.faces[face].map(|vertex| self.positions[vertex as usize])
     }
 
-    /// A vector along the normal of a face, as long as twice its area.
+    /// A vector along the normal of a face; its length is twice the area of the face.
     #[must_use]
     pub fn area_vector(&self, face: usize) -> [f64; 3] {
         area_vector(self.corners(face))
@@ -50,7 +50,7 @@ impl Mesh {
         (0..self.faces.len()).map(of_face).sum()
     }
 
-    /// The corners of the smallest box with all vertices; both are 0 of none.
+    /// The corners of the bounding box of all vertices; both are 0 without vertices.
     #[must_use]
     pub fn bounds(&self) -> [[f64; 3]; 2] {
         bounds(&self.positions)
@@ -64,12 +64,12 @@ impl Mesh {
     }
 }
 
-/// A vector along the normal of a triangle, as long as twice its area.
+/// A vector along the normal of a triangle; its length is twice the area.
 pub fn area_vector([a, b, c]: [Vector; 3]) -> Vector {
     cross(minus(b, a), minus(c, a))
 }
 
-/// The corners of the smallest box with all points; both are 0 of none.
+/// The corners of the bounding box of all points; both are 0 without points.
 pub fn bounds(points: &[Vector]) -> [Vector; 2] {
     let Some(first) = points.first() else { return [[0.0; 3]; 2] };
     points.iter().fold([*first; 2], |[low, high], at| {

@@ -1,16 +1,16 @@
-//! Lengths of edges in the metric of a stretch: what spreads farther along a direction is nearer there.
+//! Lengths of edges in the metric of a stretch: along a direction of faster diffusion lengths are shorter.
 //!
-//! A stretch ρ stands for the diffusion tensor of determinant 1 with eigenvalues 1/ρ along a direction and ρ across it, as on a flat
-//! grid. Its inverse is the metric ds² = ρ·along² + across²/ρ. It has determinant 1, too: areas stay as they are.
+//! A stretch ρ represents the diffusion tensor of determinant 1 with eigenvalues 1/ρ along a direction and ρ across it, as on a
+//! flat grid. Its inverse is the metric ds² = ρ·along² + across²/ρ, which has determinant 1, too: areas do not change.
 
 use super::mesh::Mesh;
 use super::vector::{dot, minus};
 use crate::grid::sin_cos_degrees;
 
-/// How a diffusion tensor of determinant 1 differs from the same diffusion in all directions.
+/// The anisotropy of a diffusion tensor of determinant 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stretch {
-    /// Minor ÷ major axis of what it makes of a circle: more than 0, up to 1, which is the same in all directions.
+    /// Minor ÷ major axis of the ellipse that it makes of a circle, above 0 and at most 1; 1 = isotropic.
     pub ratio: f32,
     /// Direction of the major axis in the vertex's frame, degrees.
     pub degrees: f32,
@@ -21,7 +21,8 @@ impl Stretch {
     pub const NONE: Self = Self { ratio: 1.0, degrees: 0.0 };
 }
 
-/// The metric of a vertex in space: squared length of a way of `length` along its `axes`, which need not lie in the tangent plane.
+/// The metric of a vertex in space: the squared length of a vector from its components along `axes`; the vector need not lie in the
+/// tangent plane.
 struct Metric {
     ratio: f64,
     /// The unit vector along the major axis, and that across it.
@@ -36,8 +37,8 @@ impl Metric {
         Self { ratio: f64::from(stretch.ratio), axes: [turned(cos, sin), turned(-sin, cos)] }
     }
 
-    /// The squared length of an edge ÷ its squared length in space. Of an edge that leaves the tangent plane the direction is that of its
-    /// projection.
+    /// The squared length of an edge ÷ its squared length in space. For an edge that leaves the tangent plane the direction is that
+    /// of its projection.
     fn factor(&self, edge: [f64; 3]) -> f64 {
         let [along, across] = self.axes.map(|axis| {
             let part = dot(axis, edge);
@@ -64,16 +65,16 @@ pub fn lengths(mesh: &Mesh, frames: &[[[f64; 3]; 2]], stretch: &[Stretch], edges
     edges.iter().map(length).collect()
 }
 
-/// The longest side of a triangle ÷ the sum of the others, at most. Closer to 1 angles are lost in rounding.
+/// The largest ratio of the longest side of a triangle to the sum of the others. Closer to 1, angles are lost in rounding.
 const LONGEST: f64 = 0.99;
 /// Rounds over all triangles: a side that became shorter may be too short for the triangle on its other side.
 const ROUNDS: usize = 20;
 
-/// Shortens the edges that are too long for a triangle, given by its three edges. Where the metric turns within a cell (at the
-/// singularities of directions) lengths break the triangle inequality.
+/// Shortens the edges that are too long for a triangle, given by its three edges. Where the metric varies within a cell (at the
+/// singularities of directions) lengths violate the triangle inequality.
 ///
-/// Only these edges change. To add a length to every edge, as is usual for degenerate meshes, would make the metric rounder everywhere:
-/// spots of an aspect of .5 came out with .61.
+/// Only these edges change. Adding a length to every edge, as is usual for degenerate meshes, would make the metric more isotropic
+/// everywhere: spots of an aspect of 0.5 got one of 0.61.
 pub fn hold_triangle_inequality(triangles: &[[u32; 3]], lengths: &mut [f64]) {
     for _ in 0..ROUNDS {
         let mut changed = false;
@@ -107,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn a_way_along_the_major_axis_is_shorter_by_the_root_of_the_stretch_and_one_across_it_longer() {
+    fn an_edge_along_the_major_axis_is_shorter_by_the_root_of_the_stretch_and_one_across_it_longer() {
         let stretch = Stretch { ratio: 0.25, degrees: 90.0 };
         assert!((length([0.0, 2.0, 0.0], stretch) - 1.0).abs() < 1e-12);
         assert!((length([2.0, 0.0, 0.0], stretch) - 4.0).abs() < 1e-12);

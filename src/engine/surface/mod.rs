@@ -1,4 +1,5 @@
-//! Triangle surfaces: models from files or made by formula, meshes made fit to grow on, and places, frames, ways and distances on them.
+//! Triangle surfaces: models from files or made by formula, preparation of their meshes, and places, frames, displacements and
+//! distances on them.
 //!
 //! ```text
 //!  Model (read_model, built_in) ─▶ Mesh ─▶ prepare (welded, oriented, a manifold) ─▶ remesh (even triangles) ─▶ Surface, a Domain

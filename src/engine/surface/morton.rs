@@ -1,13 +1,13 @@
-//! Vertices and faces in the order of a space-filling curve, so that neighbours lie near each other in memory.
+//! Vertices and faces in the order of a space-filling curve, so that neighbours are close in memory.
 //!
 //! G. M. Morton, "A computer oriented geodetic data base and a new technique in file sequencing", IBM 1966.
 
 use super::mesh::Mesh;
 
-/// Steps along each axis: 2 to this power.
+/// Base-2 logarithm of the number of steps along each axis.
 const BITS: u32 = 21;
 
-/// Every third bit of the result is one of the lowest 21 bits of `x`.
+/// Distributes the lowest 21 bits of `x` to every third bit of the result.
 fn spread(x: u64) -> u64 {
     let mut x = x & 0x1f_ffff;
     x = (x | x << 32) & 0x001f_0000_0000_ffff;
@@ -17,7 +17,7 @@ fn spread(x: u64) -> u64 {
     (x | x << 2) & 0x1249_2492_4924_9249
 }
 
-/// Where points of a box lie along the curve.
+/// The positions of points of a box along the curve.
 pub fn codes(points: &[[f64; 3]], [low, high]: [[f64; 3]; 2]) -> Vec<u64> {
     let size = (0..3).map(|axis| high[axis] - low[axis]).fold(f64::MIN_POSITIVE, f64::max);
     let scale = f64::from(1u32 << BITS) * (1.0 - 1e-9) / size;
@@ -36,7 +36,7 @@ pub fn ordered(mesh: &Mesh) -> Mesh {
     order.iter().enumerate().for_each(|(place, vertex)| new[*vertex as usize] = place as u32);
     let renamed = |face: &[u32; 3]| {
         let [a, b, c] = face.map(|vertex| new[vertex as usize]);
-        // The lowest first, with the same winding.
+        // The lowest index first, with the same orientation.
         if a < b && a < c {
             [a, b, c]
         } else if b < c {

@@ -1,4 +1,4 @@
-//! Places, ways and frames on surfaces whose geometry is known.
+//! Places, displacements and frames on surfaces of known geometry.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -68,7 +68,7 @@ fn the_axes_of_a_frame_turn_clockwise_seen_from_outside() {
 }
 
 #[test]
-fn ways_on_a_sphere_are_great_circles() {
+fn displacements_on_a_sphere_are_great_circles() {
     let surface = Surface::new(sphere(24, 10.0), ALONG);
     let unit = surface.unit();
     let mut rng = Pcg64Mcg::seed_from_u64(2);
@@ -89,7 +89,7 @@ fn ways_on_a_sphere_are_great_circles() {
 }
 
 #[test]
-fn ways_round_a_tube_are_those_of_the_sheet_it_was_rolled_from() {
+fn displacements_round_a_tube_are_those_of_the_unrolled_sheet() {
     let surface = Surface::new(cylinder([60, 40], 3.0, 12.0), [0.0, 0.0, 1.0]);
     let side = 2.0 * 3.0 * (PI / 60.0).sin() * 60.0 / TAU;
     let unit = surface.unit();
@@ -99,7 +99,7 @@ fn ways_round_a_tube_are_those_of_the_sheet_it_was_rolled_from() {
         let displacement = surface.displacement(from, to);
         assert!((norm(displacement) - far).abs() < 1e-9, "{columns} {rows}: {} {far}", norm(displacement));
         assert!(distance(surface.position(surface.moved(from, displacement)), surface.position(to)) < 1e-9);
-        // Up is the first axis, and the tube has no curvature that turns it.
+        // Up is the first axis, and the tube has no curvature that rotates it.
         assert!((displacement[0] - f64::from(rows as u32) * 0.3 / unit).abs() < 1e-9);
         let turn = surface.turn(8 * 60, (8 + rows) * 60 + columns);
         assert!((turn + 180.0).rem_euclid(360.0) - 180.0 < 1e-6, "{turn}");
@@ -107,7 +107,7 @@ fn ways_round_a_tube_are_those_of_the_sheet_it_was_rolled_from() {
 }
 
 #[test]
-fn a_way_ends_at_a_border() {
+fn a_walk_ends_at_a_border() {
     let surface = Surface::new(plate([10, 10], 1.0), ALONG);
     let from = surface.closest([5.2, 5.1, 0.0]);
     let there = surface.position(surface.moved(from, [300.0, 0.0]));
@@ -145,7 +145,7 @@ fn nothing_is_near_through_a_thin_sheet_nor_on_another_part() {
 }
 
 #[test]
-fn what_is_turned_along_a_way_and_back_is_as_before() {
+fn a_direction_transported_there_and_back_is_unchanged() {
     let surface = Surface::new(torus([80, 40], [10.0, 4.0]), [0.0, 0.0, 1.0]);
     let mut rng = Pcg64Mcg::seed_from_u64(3);
     for _ in 0..100 {
@@ -181,7 +181,7 @@ fn places_are_uniform_and_lie_in_their_cells() {
         let at = surface.position(place);
         (0..3).for_each(|axis| mean[axis] += at[axis] / 4_000.0);
     }
-    // The middle of the cell: of each face 11 of 18 parts towards the corner, and 7 of 36 towards each other.
+    // The centre of the cell: in each face 11 of 18 parts towards the corner, and 7 of 36 towards each other corner.
     let mut expected = ([0.0; 3], 0.0);
     for face in
         (0..surface.mesh.faces.len()).filter(|face| surface.mesh.faces[*face].contains(&(cell as u32)))
@@ -228,7 +228,7 @@ fn distances_on_a_sphere_are_great_circles_and_fall_to_the_nearest_source() {
 }
 
 #[test]
-fn surfaces_of_any_kind_and_size_answer() {
+fn surfaces_of_any_kind_and_size_give_finite_results() {
     let one = Mesh { positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], faces: vec![[0, 1, 2]] };
     let strip = prepare(&moebius([40, 4], 3.0, 1.0)).expect("a strip").0;
     for mesh in [one, strip, sphere(1, 1.0), plate([1, 1], 1.0), Mesh::default()] {

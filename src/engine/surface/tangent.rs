@@ -1,7 +1,7 @@
 //! Directions of edges in the frames of their vertices.
 //!
-//! Around a vertex the angles of the faces are scaled so that they add up to a whole turn: its tangent plane (E. Praun et al., "Lapped
-//! textures", 2000; F. Knöppel et al., "Globally optimal direction fields", 2013). What is near a vertex has a place in it.
+//! Around a vertex the angles of the faces are scaled so that they add up to 360°: its tangent plane (E. Praun et al., "Lapped
+//! textures", 2000; F. Knöppel et al., "Globally optimal direction fields", 2013). Points near a vertex have a position in it.
 
 use std::f64::consts::TAU;
 
@@ -10,10 +10,10 @@ use super::marching::Opposite;
 use super::mesh::Mesh;
 use super::vector::{Vector, cross, distance, dot, length, minus};
 
-/// By half-edge; the corner of a half-edge is that of its face at the vertex that it leaves.
+/// Data by half-edge; the corner of a half-edge is that of its face at the vertex that it leaves.
 #[derive(Clone, Debug)]
 pub struct Tangents {
-    /// Lengths.
+    /// Lengths of half-edges.
     pub lengths: Vec<f64>,
     /// The other two corners of the face in the plane of the vertex that a half-edge leaves.
     pub corners: Vec<[[f64; 2]; 2]>,
@@ -21,13 +21,13 @@ pub struct Tangents {
     pub angles: Vec<f64>,
     /// By vertex: angle in the plane ÷ angle on the surface.
     pub scales: Vec<f64>,
-    /// The faces around each vertex, those of one vertex beside each other in memory.
+    /// The faces around each vertex; those of one vertex are adjacent in memory.
     spokes: Vec<Spoke>,
-    /// Where those of each vertex begin, and their number.
+    /// Start and number of the faces of each vertex.
     starts: Vec<u32>,
 }
 
-/// A face as a vertex sees it.
+/// A face in the tangent plane of a vertex.
 #[derive(Clone, Copy, Debug)]
 pub struct Spoke {
     /// Its other two corners, counter-clockwise.
@@ -64,8 +64,8 @@ impl Tangents {
             let is_round = !adjacency.is_on_border(vertex) && total > 0.0;
             let scale = if is_round { TAU / total } else { 1.0 };
             all.scales[vertex] = scale;
-            // The frame turns clockwise, the fan counter-clockwise. Its first edge lies so that all edges lie on the mean where the frame
-            // has them.
+            // The frame is clockwise, the fan counter-clockwise. The angle of the first edge is chosen so that the mean direction
+            // of all edges agrees with the frame.
             let (mut passed, mut mean) = (0.0, [0.0; 2]);
             for half in fan() {
                 let seen = axes.map(|axis| dot(edge(half), axis));
@@ -105,8 +105,8 @@ impl Tangents {
         &self.spokes[from..to]
     }
 
-    /// Angle to add to one in the frame of the vertex that a half-edge leaves to give the same direction in the frame of that
-    /// which it leads to.
+    /// Angle to add to a direction in the frame of the vertex that a half-edge leaves, for its parallel transport to the frame of
+    /// the vertex that the half-edge leads to.
     pub fn transport(&self, adjacency: &Adjacency, half: u32) -> f64 {
         let twin = adjacency.twins[half as usize];
         let back = if twin == NONE {

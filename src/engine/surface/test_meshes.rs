@@ -1,4 +1,4 @@
-//! For tests: bodies whose measures are known.
+//! Test bodies whose measures are known.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -6,8 +6,8 @@ use std::f64::consts::TAU;
 use super::mesh::Mesh;
 use super::vector::{Vector, middle, plus, times, unit};
 
-/// A grid of so many by so many vertices, two triangles a square; `at` places them, and rows or columns that are joined end
-/// to end go round.
+/// A grid of [nx, ny] vertices, with two triangles per square; `at` gives their positions. Rows or columns that are `joined` are
+/// closed to rings.
 pub fn sheet([nx, ny]: [usize; 2], joined: [bool; 2], at: impl Fn(f64, f64) -> Vector) -> Mesh {
     let [columns, rows] =
         [(nx, joined[0]), (ny, joined[1])].map(|(n, joined)| if joined { n } else { n + 1 });
@@ -29,7 +29,7 @@ pub fn plate(squares: [usize; 2], side: f64) -> Mesh {
     sheet(squares, [false; 2], |u, v| [u * width, v * height, 0.0])
 }
 
-/// A flat plate of nearly regular triangles of this side, as many as cover the size.
+/// A flat plate of nearly regular triangles with this side, of approximately this size.
 pub fn even_plate([width, height]: [f64; 2], side: f64) -> Mesh {
     let rows = (height / (0.75f64.sqrt() * side)).round().max(1.0);
     let columns = (width / side).round().max(1.0);
@@ -65,7 +65,7 @@ pub fn even_plate([width, height]: [f64; 2], side: f64) -> Mesh {
     Mesh { positions, faces }
 }
 
-/// A sphere: an icosahedron, each edge of which is cut into so many.
+/// A sphere: an icosahedron, each edge of which is cut into `cuts` parts.
 pub fn sphere(cuts: usize, radius: f64) -> Mesh {
     let g = 0.5 * (1.0 + 5.0f64.sqrt());
     let corners: [Vector; 12] = [
@@ -133,7 +133,7 @@ pub fn ringed_sphere(rings: usize, radius: f64) -> Mesh {
     Mesh { faces: caps.chain(faces).collect(), positions }
 }
 
-/// A cube about the origin, each side of which is cut into so many.
+/// A cube about the origin, each side of which is cut into `cuts` parts.
 pub fn cube(cuts: usize, side: f64) -> Mesh {
     let h = 0.5 * side;
     let positions: Vec<Vector> =
@@ -201,7 +201,7 @@ pub fn moebius(cells: [usize; 2], radius: f64, width: f64) -> Mesh {
     })
 }
 
-/// A box with these sides about the origin, of which each square has two triangles of about the side `edge`.
+/// A box with these sides about the origin, with two triangles per square, of about the side `edge`.
 pub fn slab(sides: [f64; 3], edge: f64) -> Mesh {
     let cuts = (sides.iter().copied().fold(0.0, f64::max) / edge).ceil().max(1.0);
     let cube = cube(cuts as usize, 1.0);
@@ -219,17 +219,17 @@ pub fn both(a: &Mesh, b: &Mesh) -> Mesh {
     }
 }
 
-/// The mesh moved.
+/// The mesh, shifted.
 pub fn shifted(mesh: &Mesh, by: Vector) -> Mesh {
     Mesh { positions: mesh.positions.iter().map(|at| plus(*at, by)).collect(), faces: mesh.faces.clone() }
 }
 
-/// The mesh made larger about the origin.
+/// The mesh, scaled about the origin.
 pub fn scaled(mesh: &Mesh, by: f64) -> Mesh {
     Mesh { positions: mesh.positions.iter().map(|at| times(*at, by)).collect(), faces: mesh.faces.clone() }
 }
 
-/// Each face with vertices of its own.
+/// The mesh with separate vertices for each face.
 pub fn soup(mesh: &Mesh) -> Mesh {
     let positions: Vec<Vector> = (0..mesh.faces.len()).flat_map(|face| mesh.corners(face)).collect();
     let faces = (0..mesh.faces.len() as u32).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]).collect();

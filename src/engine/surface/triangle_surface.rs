@@ -1,4 +1,4 @@
-//! A triangle surface to grow on: its vertices are cells, with normals, frames and places between them.
+//! A triangle surface to grow on: its vertices are cells, with normals, frames, and places between them.
 
 use super::adjacency::{Adjacency, NONE, next, previous};
 use super::block_boxes::BlockBoxes;
@@ -8,10 +8,10 @@ use super::point::SurfacePoint;
 use super::tangent::Tangents;
 use super::vector::{Vector, across, axis_beside, cross, distance, dot, length, minus, plus, times, unit};
 
-/// A mesh with what growing on it asks for. Lengths are those of the mesh.
+/// A mesh with the data that a growth on it needs. Lengths are those of the mesh.
 #[derive(Clone, Debug)]
 pub struct Surface {
-    /// Its triangles; neighbours should lie near each other in memory, as those of [`remesh`](super::remesh()) do.
+    /// Its triangles; neighbours should be close in memory, as they are after [`remesh`](super::remesh()).
     pub mesh: Mesh,
     pub(super) adjacency: Adjacency,
     pub(super) tangents: Tangents,
@@ -26,8 +26,8 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// The surface of a manifold, as [`remesh`](super::remesh()) and [`prepare`](super::prepare()) return it. The first axis of each frame is `along`, as
-    /// far as it lies in the tangent plane; where it does not, another one.
+    /// The surface of a manifold, as [`remesh`](super::remesh()) and [`prepare`](super::prepare()) return it. The first axis of
+    /// each frame is the projection of `along` onto the tangent plane; if that is 0, another axis.
     #[must_use]
     pub fn new(mesh: Mesh, along: [f64; 3]) -> Self {
         let adjacency = Adjacency::new(mesh.positions.len(), &mesh.faces);
@@ -67,7 +67,8 @@ impl Surface {
         self.normals[vertex]
     }
 
-    /// The axes of the frame of a vertex: the second is the first, turned clockwise seen from outside, as y to x on a canvas.
+    /// The axes of the frame of a vertex: the second is the first rotated by 90°, clockwise seen from outside, as y to x on a
+    /// canvas.
     #[must_use]
     pub fn frame(&self, vertex: usize) -> [[f64; 3]; 2] {
         self.frames[vertex]
@@ -79,7 +80,7 @@ impl Surface {
         &self.frames
     }
 
-    /// How much of the direction `along` lies in the tangent plane of a vertex: its squared length, 0..1.
+    /// The squared length of the projection of the direction `along` onto the tangent plane of a vertex, 0..1.
     pub(super) fn along_share(&self, vertex: usize) -> f64 {
         let projected = across(self.along, self.normals[vertex]);
         dot(projected, projected)
@@ -91,7 +92,7 @@ impl Surface {
         self.areas[vertex]
     }
 
-    /// The nearest place of the surface; the one at its first corner where there is no face.
+    /// The nearest place of the surface; its first corner if there is no face.
     #[must_use]
     pub fn closest(&self, point: [f64; 3]) -> SurfacePoint {
         let found = self.tree.nearest(point, |_| true);
@@ -100,7 +101,7 @@ impl Surface {
         })
     }
 
-    /// The nearest place of a side whose normal has less than a right angle to this one: not the back of a thin sheet.
+    /// The nearest place whose normal is less than 90° from this one: not the back of a thin sheet.
     #[must_use]
     pub fn closest_facing(&self, point: [f64; 3], normal: [f64; 3]) -> SurfacePoint {
         let is_fit = |face: u32| dot(self.mesh.area_vector(face as usize), normal) > 0.0;
@@ -108,7 +109,7 @@ impl Surface {
         found.map_or_else(|| self.closest(point), |found| SurfacePoint::new(found.triangle, found.weights))
     }
 
-    /// Where a place is.
+    /// The position of a place.
     #[must_use]
     pub fn position(&self, place: SurfacePoint) -> [f64; 3] {
         let corners = self.mesh.corners(place.face as usize);
@@ -116,7 +117,7 @@ impl Surface {
         plus(plus(times(corners[0], a), times(corners[1], b)), times(corners[2], c))
     }
 
-    /// A value at a place, between those of the corners.
+    /// The value at a place, interpolated between those of the corners.
     #[must_use]
     pub fn interpolate(&self, place: SurfacePoint, value: impl Fn(usize) -> f64) -> f64 {
         let corners = self.mesh.faces[place.face as usize];
@@ -134,7 +135,7 @@ impl Surface {
         SurfacePoint { face: half / 3, weights }
     }
 
-    /// The vertex nearest to a place, in shares.
+    /// The vertex with the largest barycentric coordinate at a place.
     #[must_use]
     pub fn vertex_of(&self, place: SurfacePoint) -> usize {
         self.mesh.faces[place.face as usize][place.corner()] as usize
@@ -146,7 +147,7 @@ impl Surface {
         self.adjacency.is_on_border(vertex)
     }
 
-    /// The vertices beside a vertex, counter-clockwise.
+    /// The vertices adjacent to a vertex, counter-clockwise.
     pub fn ring(&self, vertex: usize) -> impl Iterator<Item = usize> {
         let origin = |half: u32| self.mesh.faces[half as usize / 3][half as usize % 3] as usize;
         let last = if self.is_on_border(vertex) { self.adjacency.fan(vertex).last() } else { None };
@@ -154,7 +155,7 @@ impl Surface {
         along.chain(last.map(move |half| origin(previous(half))))
     }
 
-    /// The vertices beside a vertex, with their places in its tangent plane, in its frame.
+    /// The vertices adjacent to a vertex, with their positions in its tangent plane, in its frame.
     pub fn tangent_ring(&self, vertex: usize) -> impl Iterator<Item = (usize, [f64; 2])> {
         let origin = |half: u32| self.mesh.faces[half as usize / 3][half as usize % 3] as usize;
         let corners = |half: u32| self.tangents.corners[half as usize];
@@ -163,7 +164,8 @@ impl Surface {
         along.chain(last.map(move |half| (origin(previous(half)), corners(half)[1])))
     }
 
-    /// The ways from the two ends of a side of a face to each other, each in the frame of its end. Side k follows corner k.
+    /// The displacements from the two ends of a side of a face to each other, each in the frame of its end. Side k begins at corner
+    /// k.
     #[must_use]
     pub fn side_ways(&self, face: usize, side: usize) -> [[f64; 2]; 2] {
         let half = (3 * face + side) as u32;
@@ -188,7 +190,7 @@ fn normal_at(mesh: &Mesh, adjacency: &Adjacency, vertex: usize) -> Vector {
     unit(sum).or_else(|| unit(by_area)).unwrap_or([0.0, 0.0, 1.0])
 }
 
-/// The axes at a normal. Nearer to it than a thousandth `along` has no sure direction.
+/// The axes at a normal. If `along` is within a thousandth of it, its projection has no reliable direction.
 fn frame(normal: Vector, along: Vector) -> [Vector; 2] {
     let length_along = length(along);
     let projected = across(along, normal);

@@ -31,7 +31,7 @@ pub fn distance(a: Vector, b: Vector) -> f64 {
     length(minus(a, b))
 }
 
-/// The vector of length 1 in this direction; `None` of no direction.
+/// The vector of length 1 in this direction; `None` for a vector without direction.
 pub fn unit(a: Vector) -> Option<Vector> {
     let length = length(a);
     (length > f64::MIN_POSITIVE && length.is_finite()).then(|| times(a, 1.0 / length))
@@ -47,7 +47,7 @@ pub fn middle(a: Vector, b: Vector) -> Vector {
     times(plus(a, b), 0.5)
 }
 
-/// The axis at the smallest angle to a plane: one that is surely not along its `normal`.
+/// The coordinate axis at the smallest angle to a plane: one that is certainly not along its `normal`.
 pub fn axis_beside(normal: Vector) -> Vector {
     let [x, y, z] = normal.map(f64::abs);
     if x <= y && x <= z {

@@ -1,10 +1,10 @@
-//! Straight ahead over the faces.
+//! Straight lines over the faces.
 
 use super::adjacency::{NONE, next, previous};
 use super::point::SurfacePoint;
 use super::triangle_surface::Surface;
 
-/// More faces are not crossed on a way of the length 0, and so many more for each unit.
+/// Most faces that are crossed on a line of the length 0, and their increase per unit.
 const FACES: [f64; 2] = [100.0, 50.0];
 
 type Point = [f64; 2];
@@ -18,7 +18,8 @@ fn minus(a: Point, b: Point) -> Point {
 }
 
 impl Surface {
-    /// The place at the end of a straight way, which is given in the frame of its start; the border where it leads there.
+    /// The place at the end of a straight line, whose displacement is given in the frame of its start; the place on the border if
+    /// it leads there.
     #[must_use]
     pub fn walk(&self, from: SurfacePoint, displacement: [f64; 2]) -> SurfacePoint {
         let far = (displacement[0] * displacement[0] + displacement[1] * displacement[1]).sqrt();
@@ -26,7 +27,7 @@ impl Surface {
             return from;
         }
         let Some((half, angle)) = self.heading(from, displacement) else { return from };
-        // The face in a plane, its corner at the vertex of the place at the origin, the first side along x.
+        // The face in a plane, with its corner at the vertex of the place at the origin, and the first side along x.
         let mut half = half;
         let mut corners = self.laid_out(half, [0.0; 2], [self.tangents.lengths[half as usize], 0.0]);
         let shares = if half / 3 == from.face { from.shares() } else { at_corner(half) };
@@ -52,8 +53,8 @@ impl Surface {
         }
     }
 
-    /// The corner that a way from a place begins in, as half-edge, and the angle from that half-edge, counter-clockwise. `None` where it
-    /// leads over the border at once.
+    /// The corner in which a line from a place begins, as half-edge, and the angle from that half-edge, counter-clockwise. `None`
+    /// if it leads over the border at once.
     fn heading(&self, from: SurfacePoint, displacement: [f64; 2]) -> Option<(u32, f64)> {
         let corner = from.corner();
         let own = 3 * from.face + corner as u32;
@@ -66,7 +67,7 @@ impl Surface {
         let scale = self.tangents.scales[vertex];
         if from.shares()[corner] < 1.0 {
             let turned = from_half(own);
-            // Behind the corner as well: less than half a turn either way.
+            // Also behind the corner: less than 180° either way.
             let turned = if turned > std::f64::consts::PI { turned - std::f64::consts::TAU } else { turned };
             return Some((own, turned / scale));
         }
@@ -77,7 +78,7 @@ impl Surface {
         (angle <= opening + 1e-9).then_some((half, angle))
     }
 
-    /// The corners of a face in a plane, beginning with the vertex that a half-edge leaves, given where its ends are.
+    /// The corners of a face in a plane, beginning with the vertex that a half-edge leaves, from the positions of its ends.
     fn laid_out(&self, half: u32, from: Point, to: Point) -> [Point; 3] {
         let lengths = &self.tangents.lengths;
         let [side, second, first] = [half, next(half), previous(half)].map(|half| lengths[half as usize]);
@@ -95,12 +96,12 @@ fn at_corner(half: u32) -> [f64; 3] {
     shares
 }
 
-/// How far ahead a triangle ends, and through which side.
+/// The distance to the exit from a triangle, and the side of the exit.
 fn exit(corners: [Point; 3], at: Point, ahead: Point) -> (f64, usize) {
     let mut found = (f64::INFINITY, 0);
     for side in 0..3 {
         let edge = minus(corners[(side + 1) % 3], corners[side]);
-        // Inside lies to the left of each side.
+        // The inside lies to the left of each side.
         let leaving = cross(edge, ahead);
         if leaving < 0.0 {
             let steps = (cross(edge, minus(corners[side], at)) / leaving).max(0.0);
@@ -112,7 +113,7 @@ fn exit(corners: [Point; 3], at: Point, ahead: Point) -> (f64, usize) {
     found
 }
 
-/// The place in a face that is laid out so.
+/// The place in a face with these corners in the plane.
 fn place_at(half: u32, corners: [Point; 3], at: Point) -> SurfacePoint {
     let [a, b, c] = corners;
     let area = cross(minus(b, a), minus(c, a)).max(f64::MIN_POSITIVE);

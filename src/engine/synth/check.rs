@@ -1,7 +1,8 @@
-//! What is known of a document before it is grown: what growing refuses at once, and, of small ones, what else it refuses.
+//! Checks of a document before it is grown: everything that growing refuses at once, and, for small documents, everything else that
+//! it refuses.
 //!
-//! Whether a mark finds room between those beneath, and whether anything but ground grows on a canvas that holds few marks, shows only as
-//! it grows. Such a canvas has few cells, because cells follow the marks, and so small documents are grown to be checked.
+//! Some refusals show only during the growth: a mark that finds no room between those beneath, or a canvas with few marks on which
+//! only ground grows. Such a canvas has few cells, because cells follow the marks. So small documents are grown to be checked.
 
 use crate::document::Document;
 use crate::grid::Domain;
@@ -12,23 +13,23 @@ use crate::synth::layer::LayerPlan;
 use crate::synth::options::Options;
 use crate::synth::time::TimeLimit;
 
-/// Cells of all layers of a document that is grown to be checked, at most. Not tuned: one of 400 × 100 px with spots of 8 to 50 px
-/// took 2 s.
+/// Most cells, over all layers, of a document that is grown to be checked. Not tuned: a document of 400 × 100 px with spots of 8 to
+/// 50 px took 2 s.
 const SMALL: usize = 150_000;
-/// Larger ones are grown, too, where the laws of their kinds give fewer seconds of one core: points and patches have many cells and no
-/// steps. Of 821 random documents growing alone refused 8 with the first bound, 4 with both.
+/// Larger documents are grown, too, if the laws of their kinds give fewer seconds of one core: points and patches have many cells
+/// and no steps. Of 821 random documents, 8 were refused only during the growth with the first limit alone, 4 with both.
 const SHORT: f64 = 1.0;
 /// Cell updates after which this growth is given up.
 const MOST_UPDATES: u64 = 400_000_000;
 /// Cell updates between two looks at how many are left.
 const UPDATES: u64 = 2_000_000;
 
-/// What is known of a document before it is grown.
+/// Results of checking a document before it is grown.
 #[derive(Debug)]
 pub struct Checked {
-    /// What is said of each layer, the lowest first.
+    /// The description of each layer, the lowest first.
     pub layers: Vec<Described>,
-    /// Why it is refused where it is grown; `None` where that is not known to happen.
+    /// The reason why growing the document is refused; `None` if it is not known to be refused.
     pub refusal: Option<GrowError>,
 }
 
@@ -68,8 +69,8 @@ pub fn check(document: &Document, options: &Options) -> Result<Checked, GrowErro
     Ok(checked)
 }
 
-/// The plan of a layer above others that take so many seconds, what is said of it, and why it is refused; no plan of what is too large to
-/// be planned.
+/// The plan of a layer above others that take `beneath` seconds, its description, and the reason if it is refused. There is no plan
+/// if the layer is too large to be planned.
 fn planned(
     request: &Request,
     time: TimeLimit,

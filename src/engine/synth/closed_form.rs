@@ -1,4 +1,4 @@
-//! What laws in closed form say of patches, streaks and cracks: attributes → parameters, without a canvas and without training rows.
+//! Laws in closed form for patches, streaks and cracks: attributes → parameters, without a canvas and without training rows.
 
 use crate::attributes::{Spots, Spread, Stripes};
 use crate::document::LineKind;
@@ -15,21 +15,21 @@ pub type Named = (&'static str, f64);
 pub struct ClosedForm {
     /// Parameters; lengths in px.
     pub parameters: Vec<Named>,
-    /// The attributes that they are expected to grow.
+    /// The attributes of the marks that are expected to grow.
     pub predicted: Vec<Named>,
-    /// Whether that is what was asked.
+    /// Whether these are the attributes that were asked for.
     pub reached: bool,
-    /// What the user should know.
+    /// Notes for the user.
     pub notes: Vec<String>,
 }
 
-/// Raggedness that is this near to the asked one counts as it: the median error of what grows.
+/// Raggedness this close to the one asked for counts as equal: the median error of grown patches.
 const CLOSE: f64 = 0.02;
 
-/// Patches of these attributes and this `raggedness`, from 1 on, of `detail` points each; without one the smoothest.
+/// Patches of these attributes and this `raggedness`, at least 1, of `detail` points each. `None` = the least raggedness.
 ///
-/// Parameters: `distance` of the points, `points` a patch, `sigma` of their costs, `metric`: the aspect of the metric in which patches claim points,
-/// `coverage` of the canvas.
+/// Parameters: `distance` of the points, `points` a patch, `sigma` of their costs, `metric`: the aspect of the metric in which
+/// patches claim points, `coverage` of the canvas.
 ///
 /// ```
 /// use dapple_engine::attributes::Spots;
@@ -88,7 +88,7 @@ pub fn patches(spots: &Spots, raggedness: Option<f64>, detail: f64) -> ClosedFor
 
 /// Streaks of `detail` points, or cracks, of these attributes.
 ///
-/// Parameters: `distance` of the points, `share` of the canvas that is covered; of cracks `mesh`, the distance of the knots.
+/// Parameters: `distance` of the points, `share` of the canvas that is covered; for cracks also `mesh`, the distance of the knots.
 #[must_use]
 pub fn lines(kind: LineKind, stripes: &Stripes, detail: f64) -> ClosedForm {
     let course = match kind {
@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn what_patches_cannot_be_is_said() {
+    fn impossible_patches_are_noted() {
         let dense = patches(&Spots { spacing: Some(30.0), ..SPOTS }, Some(1.4), Patches::DETAIL);
         assert!(!dense.reached && dense.notes[0].contains("72 %"), "{dense:?}");
         assert!(value(&dense.predicted, "spacing") > 30.0);
@@ -173,7 +173,7 @@ mod tests {
         };
         let streaks = of(LineKind::Streaks, 20.0);
         assert!(streaks.reached && (value(&streaks.predicted, "wavelength") - 20.0).abs() < 1e-9);
-        // Cracks run both ways.
+        // Cracks run in both directions.
         assert!((value(&of(LineKind::Cracks, 80.0).parameters, "share") - 0.19).abs() < 1e-9);
         let thin = of(LineKind::Streaks, 80.0);
         assert!(!thin.reached && thin.notes[0].contains("20 % to 60 %"), "{thin:?}");

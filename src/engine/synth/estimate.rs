@@ -4,8 +4,8 @@
 //! seconds = Σ updates ÷ speed  +  px of the canvas · layers · RULER · painting  +  px of the picture · painting
 //! ```
 //!
-//! The engine gives the expected cell updates. Their speed, and that of painting a px, are measured on this machine on a
-//! canvas of the same texture that is no larger than `TRIAL`: marks keep their size, so that both are as they will be.
+//! The engine gives the expected cell updates. Their speed, and that of painting a px, are measured on this machine, on a canvas of
+//! the same texture that is no larger than `TRIAL`: marks keep their size, so that both are representative.
 
 use std::time::Duration;
 
@@ -22,25 +22,25 @@ use crate::synth::training::Training;
 
 /// px of the largest canvas that speeds are measured on.
 const TRIAL: f64 = 600.0 * 600.0;
-/// How long the speed of the steps is measured: long enough for all threads to wake.
+/// Duration of a measurement of the speed of steps: long enough for all threads to start.
 const DURATION: Duration = Duration::from_millis(40);
 /// Sides of the picture that is painted to measure the time of a px.
 const PAINTED: [usize; 2] = [256, 256];
-/// The time of measuring a pattern ÷ the time of painting it. Not tuned by itself: with it, the estimates of four examples of
-/// 2000² to 6000² px are 0.5 to 1 of the time taken, the least where spots are sparse.
+/// The time of measuring a pattern ÷ the time of painting it. Not tuned by itself: with it, the estimates for four examples of
+/// 2000² to 6000² px are 0.5 to 1 times the actual time, lowest where spots are sparse.
 const RULER: f64 = 1.0;
 
-/// A document to be grown, and how large.
+/// A document to be grown, and the size of its canvas and picture.
 pub struct Task<'a> {
     /// The document.
     pub document: &'a Document,
     /// The canvas that is asked for, px.
     pub size: [u32; 2],
-    /// What messages call it, such as its path.
+    /// The name of the document in messages, such as its path.
     pub source: &'a str,
     /// px along a side of the picture for one of the canvas.
     pub scale: u32,
-    /// What it grows on.
+    /// The machine on which it grows.
     pub machine: Machine,
 }
 
@@ -53,17 +53,17 @@ impl Task<'_> {
     }
 }
 
-/// What a growth needs.
+/// The time and the memory that a growth needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Needs {
-    /// Time on this machine, as busy as it is now.
+    /// Time on this machine at its current load, s.
     pub seconds: f64,
     /// Bytes of memory.
     pub bytes: f64,
 }
 
 impl Needs {
-    /// Estimates one growth. `None` where it cannot be planned, or does not fit into memory: growing it says why.
+    /// Estimates one growth. `None` if it cannot be planned, or does not fit into memory; the growth itself gives the reason.
     #[must_use]
     pub fn estimate(task: &Task, training: &Training) -> Option<Self> {
         let mut needs = Self { seconds: 0.0, bytes: 0.0 };

@@ -1,4 +1,4 @@
-//! A kind of layer that proves that a kind is one file and one line in the list: one flat colour over half of the canvas.
+//! A test kind of layer: one flat colour over half of the canvas. It proves that a kind is one file and one line in the list.
 
 use crate::attributes::system::Description;
 use crate::document::Document;
@@ -19,7 +19,7 @@ pub struct Flat;
 /// The name of layers that are of this kind.
 pub const NAME: &str = "half of it is flat";
 
-/// What it grows like: only its name is shown.
+/// A description for the test; only its name is shown.
 static SYSTEM: Description = Description { name: "flat", title: "Flat", ..POINTS };
 
 /// A flat layer, planned or grown.

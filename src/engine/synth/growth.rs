@@ -1,13 +1,13 @@
-//! The growth of a document as a value, layer by layer: the marks of earlier layers are frozen, and each later one grows into the
-//! space that they left.
+//! The growth of a document as a value, layer by layer: the marks of earlier layers are frozen, and each later layer grows into the
+//! space between them.
 //!
 //! ```text
 //!  begin ─▶ plan every layer ─▶ the lowest one grows ─▶ frozen ─▶ the next one … ─▶ complete
 //!           refused before any    advanced by a budget of cell updates; seen in between
 //! ```
 //!
-//! It has no threads, no clock and no callbacks of its own: whoever drives it decides how much is done at once. To pause, do not
-//! advance; to cancel, drop it. What grows does not depend on how it was advanced, nor on whether it was looked at.
+//! It has no threads, no clock and no callbacks of its own: its caller decides how much is done in one call. To pause, do not
+//! advance; to cancel, drop it. The result does not depend on how the growth was advanced, nor on whether it was read in between.
 
 use crate::document::Document;
 use crate::synth::error::{GrowError, LayerError};
@@ -32,12 +32,12 @@ pub struct Grown {
     pub settings: Settings,
 }
 
-/// What a call of [`Growth::advance`] has done.
+/// The result of a call of [`Growth::advance`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Progress {
-    /// It still grows.
+    /// The layers still grow.
     Growing {
-        /// Whether there is something new to see.
+        /// Whether the picture has changed.
         seen: bool,
     },
     /// All layers have grown.
@@ -60,20 +60,21 @@ pub struct Growth<'a> {
     without: PassSet,
     /// The layers that have grown.
     layers: Vec<GrownLayer>,
-    /// Plans of the layers above, as far as they do not depend on what grows beneath.
+    /// Plans of the layers above, if they do not depend on the growth of those beneath.
     plans: Vec<Option<LayerPlan>>,
-    /// Seconds of one core that they take, by laws.
+    /// Seconds of one core that these plans take, by laws.
     seconds: f64,
     state: State<'a>,
 }
 
-/// What is done next.
+/// The next part of the work.
 enum State<'a> {
-    /// Every layer is planned, so that one that cannot be grown is refused before the first one grows; the index of the next.
+    /// Every layer is planned, so that one that cannot be grown is refused before the first one grows. Holds the index of the next
+    /// layer to plan.
     Plan(usize),
     /// The next layer begins.
     Begin,
-    /// It grows; whether it can be completed.
+    /// A layer grows. Holds whether it can be completed.
     Grow(LayerGrowth<'a>, bool),
     /// All layers have grown.
     Done,
@@ -82,8 +83,8 @@ enum State<'a> {
 }
 
 impl<'a> Growth<'a> {
-    /// Begins to grow `document`. The lowest layers that have not changed since are taken from `before`, which must have been grown
-    /// from the same training sets; the result is the same without it.
+    /// Begins to grow `document`. The lowest layers that have not changed are taken from `before`, which must have been grown from
+    /// these training sets; the result does not depend on it.
     #[must_use]
     pub fn begin(document: &'a Document, options: &Options<'a>, before: Option<&Grown>) -> Self {
         let frozen = before.map_or(0, |before| unchanged(document, options.settings(), before));
@@ -104,13 +105,13 @@ impl<'a> Growth<'a> {
         }
     }
 
-    /// This growth, to be filmed: the points of layers that are made of points appear one after the other.
+    /// This growth, prepared for a film: the points of layers that are made from points appear one after the other.
     #[must_use]
     pub fn filmed(self) -> Self {
         Self { filmed: true, ..self }
     }
 
-    /// This growth with the plan of the lowest layer that grows, where that is known already.
+    /// This growth with the plan of the lowest layer to be grown, if that is known already.
     #[must_use]
     pub fn planned(mut self, plan: LayerPlan) -> Self {
         let index = self.layers.len();
@@ -120,14 +121,14 @@ impl<'a> Growth<'a> {
         self
     }
 
-    /// Leaves passes out, to measure what they earn.
+    /// Leaves out some passes, to measure what they contribute.
     #[must_use]
     pub fn without(self, without: PassSet) -> Self {
         Self { without, ..self }
     }
 
-    /// Does about `budget` cell updates of work, at least the least part of it: planning, measuring and correcting count about as
-    /// much as they take. Returns earlier where there is something new to see.
+    /// Does about `budget` cell updates of work, at least the smallest part of it: planning, measuring and correcting count about
+    /// as much as they take. Returns earlier if the picture has changed.
     ///
     /// # Errors
     /// Why the document does not grow. The growth has then ended: its later calls return [`Progress::Done`], and [`Self::complete`]
@@ -188,8 +189,8 @@ impl<'a> Growth<'a> {
         Request { document: self.document, index, source, size, training, memory, beneath }
     }
 
-    /// The plan of a layer, where it is not `known`, and its seconds, if it fits into memory and does not take too long above others that take
-    /// so many seconds.
+    /// The plan of a layer, unless it is `known`, and its seconds; an error if it does not fit into memory, or takes too long above
+    /// others that take `beneath` seconds.
     fn checked(
         &self,
         known: Option<LayerPlan>,
@@ -208,12 +209,12 @@ impl<'a> Growth<'a> {
         Ok((plan, seconds))
     }
 
-    /// Why the layer that grows does not.
+    /// The error of the layer that grows at present.
     fn refused(&self, error: LayerError) -> GrowError {
         error.in_layer(self.options.source, self.layers.len() + 1)
     }
 
-    /// Begins the next layer; ends where there is none. Returns the work.
+    /// Begins the next layer, or ends if there is none. Returns the work.
     fn begin_layer(&mut self) -> Result<u64, GrowError> {
         let index = self.layers.len();
         let Some(known) = self.plans.get_mut(index).map(Option::take) else {
@@ -247,7 +248,7 @@ impl<'a> Growth<'a> {
         1
     }
 
-    /// What is being done, and the share of it that is done, 0..1.
+    /// The current stage of the work, and the share of it that is done, 0..1.
     #[must_use]
     pub fn progress(&self) -> (Stage, f64) {
         match &self.state {
@@ -257,7 +258,7 @@ impl<'a> Growth<'a> {
         }
     }
 
-    /// Cell updates of `time` of normalised time, as the layer grows now: the same moments on any machine.
+    /// Cell updates of `time` of normalised time on the current grid: equal on all machines.
     #[must_use]
     pub fn updates_in(&self, time: f64) -> u64 {
         if let State::Grow(growth, _) = &self.state { growth.updates_in(time) } else { 1 }
@@ -269,21 +270,21 @@ impl<'a> Growth<'a> {
         &self.layers
     }
 
-    /// The document as it is now; `None` while a layer is planned or measured.
+    /// The current state of the document; `None` while a layer is planned or measured.
     #[must_use]
     pub fn snapshot(&self) -> Option<Snapshot<'_>> {
         let State::Grow(growth, _) = &self.state else { return None };
         Some(Snapshot { beneath: &self.layers, growing: growth.seen()? })
     }
 
-    /// The drawn marks that find no room, by layer, as far as that is known.
+    /// The drawn marks without room, by layer, as far as they are known.
     #[must_use]
     pub fn left_out(&self) -> Vec<Vec<DrawnMark>> {
         let growing = if let State::Grow(growth, _) = &self.state { Some(growth.left_out()) } else { None };
         self.layers.iter().map(GrownLayer::left_out).chain(growing).collect()
     }
 
-    /// What has grown; `None` while it still grows, and where it does not grow.
+    /// The grown texture; `None` while it still grows, and if it does not grow.
     #[must_use]
     pub fn complete(self) -> Option<Grown> {
         let (size, settings) = (self.size(), self.options.settings());
@@ -291,7 +292,7 @@ impl<'a> Growth<'a> {
         matches!(state, State::Done).then(|| Grown { size, layers, document: document.clone(), settings })
     }
 
-    /// Grows until all is done, and tells the watch of the options in between.
+    /// Grows until everything is done, and reports to the watch of the options in between.
     ///
     /// ```
     /// use dapple_engine::document::{Document, Layer, Stroke};
@@ -307,7 +308,7 @@ impl<'a> Growth<'a> {
     /// # Errors
     /// Why the document does not grow; or it was cancelled.
     pub fn run(self) -> Result<Grown, GrowError> {
-        // On a thread of the pool. From outside, each parallel part would wake two threads and let this one wait.
+        // On a thread of the pool: from outside, each parallel part would wake two threads while this one waits.
         rayon::scope(|_| self.run_here())
     }
 
@@ -324,15 +325,15 @@ impl<'a> Growth<'a> {
     }
 }
 
-/// The `layers` of `document` that have grown, for the one above them.
+/// The grown `layers` of `document`, for the layer above them.
 #[must_use]
 pub fn beneath<'s>(document: &'s Document, layers: &'s [GrownLayer]) -> Beneath<'s> {
     let layers = layers.iter().map(|layer| layer as &dyn GrownBeneath).collect();
     Beneath { document, layers }
 }
 
-/// How many of the lowest layers of `document` would grow as they have in `before`, and so are taken from there. Names and
-/// colours do not matter.
+/// Number of the lowest layers of `document` that would grow as in `before`, and are taken from there. Names and colours do not
+/// matter.
 #[must_use]
 pub fn unchanged(document: &Document, settings: Settings, before: &Grown) -> usize {
     let canvas = |of: &Document, settings: Settings| {

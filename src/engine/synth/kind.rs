@@ -1,4 +1,4 @@
-//! What every kind of layer can do.
+//! The operations of every kind of layer.
 //!
 //! ```text
 //!  document ──read──▶ Plan ──begin──▶ Growth ──advance…──▶ ──complete──▶ Grown
@@ -26,7 +26,7 @@ use crate::synth::report::{DrawnMark, LayerReport};
 use crate::synth::training::Training;
 use crate::synth::watch::Stage;
 
-/// Moments of a film in which the points of a layer appear: more than half of the frames of a usual film show one each.
+/// Number of moments of a film in which the points of a layer appear. In a usual film more than half of the frames show a new one.
 pub const FILM_STAGES: usize = 48;
 
 /// A layer to be planned.
@@ -36,30 +36,30 @@ pub struct Request<'a> {
     pub document: &'a Document,
     /// The index of the layer.
     pub index: usize,
-    /// What messages call the document, such as its path.
+    /// The name of the document in messages, such as its path.
     pub source: &'a str,
     /// The canvas that is grown, px.
     pub size: [f64; 2],
-    /// Where parameters are looked up.
+    /// Training sets in which parameters are looked up.
     pub training: &'a Training,
     /// Bytes of memory that may be used; `None` = no limit.
     pub memory: Option<f64>,
-    /// The layer beneath, of whatever kind: its plan, or what has grown from it.
+    /// The layer beneath, of any kind: its plan, or the grown layer.
     pub beneath: Option<&'a dyn Any>,
 }
 
-/// How a layer is grown.
+/// Settings for the growth of a layer.
 #[derive(Clone, Copy)]
 pub struct Setting<'a> {
-    /// Seed of all that is random.
+    /// Seed of all random numbers.
     pub seed: u64,
-    /// What messages call the document, such as its path.
+    /// The name of the document in messages, such as its path.
     pub source: &'a str,
-    /// Where parameters are looked up.
+    /// Training sets in which parameters are looked up.
     pub training: &'a Training,
     /// Bytes of memory that may be used; `None` = no limit.
     pub memory: Option<f64>,
-    /// Whether what grows is corrected.
+    /// Whether the pattern is corrected.
     pub corrects: bool,
     /// Passes that are left out.
     pub without: PassSet,
@@ -69,7 +69,7 @@ pub struct Setting<'a> {
     pub filmed: bool,
 }
 
-/// What has grown beneath a layer.
+/// The grown layers beneath a layer.
 pub struct Beneath<'a> {
     /// The document.
     pub document: &'a Document,
@@ -77,7 +77,7 @@ pub struct Beneath<'a> {
     pub layers: Vec<&'a dyn GrownBeneath>,
 }
 
-/// A layer that has grown beneath another one, as any kind of layer sees it.
+/// A grown layer beneath another one, in the form that every kind of layer can use.
 pub trait GrownBeneath: Sync {
     /// Its pattern.
     fn pattern(&self) -> LayerPattern<'_>;
@@ -85,35 +85,35 @@ pub trait GrownBeneath: Sync {
     /// Cells along x and y of the grid that it grew on.
     fn grid(&self) -> [usize; 2];
 
-    /// What has grown, for a layer that asks whether it is of its own kind.
+    /// The grown layer, for a layer that tests whether it is of its own kind.
     fn grown(&self) -> &dyn Any;
 }
 
-/// What a call of [`Kind::advance`] has done.
+/// The result of a call of [`Kind::advance`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Advanced {
     /// The work, in cell updates; planning and measuring count about as much as they take.
     pub updates: u64,
-    /// Whether there is something new to see.
+    /// Whether the picture has changed.
     pub seen: bool,
     /// Whether the layer can be completed.
     pub done: bool,
 }
 
 impl Advanced {
-    /// Work after which nothing new is to be seen.
+    /// Work that does not change the picture.
     #[must_use]
     pub fn by(updates: usize) -> Self {
         Self { updates: updates as u64, ..Self::default() }
     }
 
-    /// Steps after which there is something new to see.
+    /// Steps that change the picture.
     #[must_use]
     pub fn seen(updates: u64) -> Self {
         Self { updates, seen: true, done: false }
     }
 
-    /// Work after which the layer can be completed.
+    /// Work that completes the layer.
     #[must_use]
     pub fn done(updates: usize) -> Self {
         Self { updates: updates as u64, seen: false, done: true }
@@ -122,7 +122,7 @@ impl Advanced {
 
 /// A layer at one moment of its growth.
 pub struct Seen<'a> {
-    /// Steps that it has taken. Fewer than before: it has begun again.
+    /// Steps that it has taken; fewer than before if it has begun again.
     pub steps: u64,
     /// Cells along x and y of the current grid.
     pub grid: [usize; 2],
@@ -133,7 +133,7 @@ pub struct Seen<'a> {
 }
 
 impl<'a> Seen<'a> {
-    /// A field that is above ½ in areas, after so many steps.
+    /// A field that is above ½ inside areas, after this number of steps.
     #[must_use]
     pub fn of_areas(steps: u64, field: &'a Field) -> Self {
         Self {
@@ -145,7 +145,7 @@ impl<'a> Seen<'a> {
     }
 }
 
-/// A plan, as any kind of layer has it.
+/// The common part of the plans of all kinds of layers.
 #[derive(Clone, Copy)]
 pub struct Planned {
     /// The system that grows the layer.
@@ -154,10 +154,10 @@ pub struct Planned {
     pub grid: Grid,
 }
 
-/// The end of a growth, as any kind of layer has it.
+/// The end of a growth, in the common form of all kinds of layers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Ending {
-    /// Steps taken; none where nothing reacts.
+    /// Steps taken; none for kinds without reactions.
     pub steps: u64,
     /// Whether the pattern settled within its time.
     pub settled: bool,
@@ -165,11 +165,11 @@ pub struct Ending {
 
 /// A kind of layer.
 pub trait Kind {
-    /// What will be grown. It does not change while it grows.
+    /// The plan of the growth. It does not change during the growth.
     type Plan: Clone + Send + Sync + 'static;
     /// A layer that grows.
     type Growth<'a>: Send;
-    /// What has grown.
+    /// The type of a grown layer.
     type Grown: Clone + Send + Sync + 'static;
 
     /// Whether a smaller canvas of the same texture takes the same time a px, so that a growth can be timed there.
@@ -178,41 +178,42 @@ pub trait Kind {
     /// Whether layer `index` of `document` is of this kind.
     fn takes(document: &Document, index: usize) -> bool;
 
-    /// Plans a layer. Only what is too large to be planned is refused because of its memory; see [`Kind::bytes`].
+    /// Plans a layer. Because of memory only a layer that is too large to be planned is refused; see [`Kind::bytes`].
     ///
     /// # Errors
     /// It cannot be grown: file, place, value, what is allowed; or a training set cannot be read.
     fn read(request: &Request) -> Result<Self::Plan, LayerError>;
 
-    /// What all plans have.
+    /// The common part of a plan.
     fn planned(plan: &Self::Plan) -> Planned;
 
-    /// Whether it grows as planned whatever grows beneath it.
+    /// Whether the layer grows as planned, independently of the layers beneath it.
     fn is_final(_plan: &Self::Plan) -> bool {
         true
     }
 
-    /// Bytes of memory that it needs on a grid of so many cells for a canvas of `size` px.
+    /// Bytes of memory that it needs on a grid of this number of cells for a canvas of `size` px.
     fn bytes(plan: &Self::Plan, size: [f64; 2], grid: [usize; 2]) -> f64;
 
-    /// Seconds that it takes on one core, by laws: the same on every machine.
+    /// Seconds that it takes on one core, by laws; equal on all machines.
     fn seconds(plan: &Self::Plan) -> f64;
 
-    /// Something to measure the time of: how much work it is, and a part of it. `None` where there is no room to begin.
+    /// A part of the growth for measuring its speed, with the amount of work; `None` if there is no room to begin.
     fn trial(plan: &Self::Plan, seed: u64) -> Option<Trial>;
 
-    /// What `check` says of a plan; `notes` are those of every kind of layer, such as that it does not fit into memory.
+    /// The output of `check` for a plan; `notes` are those of every kind of layer, such as that it does not fit into memory.
     fn describe(plan: &Self::Plan, request: &Request, notes: Vec<String>) -> Described;
 
-    /// A rough first picture, at once, of what grows above the layers `beneath`; `None` where the growth shows its own as soon.
+    /// A rough first picture of the growth above the layers `beneath`, available at once; `None` if the growth shows its own
+    /// picture as soon.
     fn preview(_plan: &Self::Plan, _beneath: &Beneath, _seed: u64) -> Option<Box<dyn Previewed>> {
         None
     }
 
-    /// Why no film can show how such a layer becomes another one; `None` where one can.
+    /// The reason why no film can show how such a layer becomes another one; `None` if one can.
     fn no_morph(document: &Document, index: usize) -> Option<String>;
 
-    /// Begins to grow above what has grown `beneath`.
+    /// Begins the growth above the grown layers `beneath`.
     ///
     /// # Errors
     /// There is no room.
@@ -222,40 +223,40 @@ pub trait Kind {
         setting: Setting<'a>,
     ) -> Result<Self::Growth<'a>, LayerError>;
 
-    /// Does about `budget` cell updates of work, at least the least part of it. The result does not depend on the budgets.
+    /// Does about `budget` cell updates of work, at least the smallest part of it. The result does not depend on the budgets.
     ///
     /// # Errors
     /// Why the layer does not grow.
     fn advance(growth: &mut Self::Growth<'_>, budget: u64) -> Result<Advanced, LayerError>;
 
-    /// What is being done, and the share of it that is done, 0..1.
+    /// The current stage of the work, and the share of it that is done, 0..1.
     fn progress(growth: &Self::Growth<'_>) -> (Stage, f64);
 
-    /// Cell updates of `time` of normalised time, as the layer grows now; 1, the least part of the work, while it is planned or
-    /// measured.
+    /// Cell updates of `time` of normalised time on the current grid; 1, the smallest part of the work, while the layer is planned
+    /// or measured.
     fn updates_in(growth: &Self::Growth<'_>, time: f64) -> u64;
 
-    /// The layer as it is now; `None` while it is planned or measured.
+    /// The current state of the layer; `None` while it is planned or measured.
     fn seen<'s>(growth: &'s Self::Growth<'_>) -> Option<Seen<'s>>;
 
-    /// The drawn marks that find no room, as far as that is known.
+    /// The drawn marks without room, as far as they are known.
     fn left_out(_growth: &Self::Growth<'_>) -> Vec<DrawnMark> {
         Vec::new()
     }
 
-    /// What has grown; `None` before [`Advanced::done`].
+    /// The grown layer; `None` before [`Advanced::done`].
     fn complete(growth: Self::Growth<'_>) -> Option<Self::Grown>;
 
-    /// What the plan that it grew from has as all plans have.
+    /// The common part of the plan from which it grew.
     fn planned_of(grown: &Self::Grown) -> Planned;
 
-    /// How the growth ended.
+    /// The way in which the growth ended.
     fn ending(grown: &Self::Grown) -> Ending;
 
-    /// The pattern at any size, without what passes under stripes that it crosses.
+    /// The pattern at any size, without the parts that pass under stripes that it crosses.
     fn pattern(grown: &Self::Grown) -> LayerPattern<'_>;
 
-    /// What became of each drawn mark.
+    /// For each drawn mark, how it has grown.
     fn drawn(_grown: &Self::Grown) -> Vec<DrawnMark> {
         Vec::new()
     }
@@ -265,10 +266,10 @@ pub trait Kind {
         Vec::new()
     }
 
-    /// Fills in what is particular to this kind in the report of layer `index`, whose drawn marks stand in it already.
+    /// Fills in the particulars of this kind in the report of layer `index`, which holds the drawn marks already.
     fn report(grown: &Self::Grown, document: &Document, index: usize, report: &mut LayerReport);
 
-    /// What to change where there is nothing but marks (`full`), or none.
+    /// The advice for a layer with nothing but marks (`full`), or with none.
     fn advice(_grown: &Self::Grown, _full: bool) -> &'static str {
         LayerError::MARKS
     }
@@ -281,11 +282,11 @@ pub trait Kind {
 
 /// A rough picture of a layer before it grows.
 pub trait Previewed: Send {
-    /// What is to be seen.
+    /// The picture.
     fn seen(&self) -> Seen<'_>;
 }
 
-/// A field that is above ½ in areas.
+/// A field that is above ½ inside areas.
 impl Previewed for Field {
     fn seen(&self) -> Seen<'_> {
         Seen::of_areas(0, self)

@@ -1,4 +1,4 @@
-//! The kinds of layer: the one place that tells them apart.
+//! The list of the kinds of layers: the only place that tells them apart.
 //!
 //! A kind is a folder of this room with an implementation of [`Kind`], and a line in the list below. Everything else asks the plan,
 //! the growth or the grown layer.
@@ -67,7 +67,7 @@ macro_rules! kinds {
             /// Plans a layer of this kind.
             ///
             /// # Errors
-            /// See [`Kind::read`].
+            /// Those of [`Kind::read`].
             pub fn read(self, request: &Request) -> Result<LayerPlan, LayerError> {
                 match self {
                     $($(#[cfg($only)])? Self::$name => {
@@ -84,7 +84,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// Why no film can show how such a layer becomes another one; `None` where one can.
+            /// The reason why no film can show how such a layer becomes another one; `None` if one can.
             #[must_use]
             pub fn no_morph(self, document: &Document, index: usize) -> Option<String> {
                 match self {
@@ -94,7 +94,7 @@ macro_rules! kinds {
         }
 
         impl LayerPlan {
-            /// What all plans have.
+            /// The common part of all plans.
             #[must_use]
             pub fn planned(&self) -> Planned {
                 match self {
@@ -102,7 +102,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// Whether it grows as planned whatever grows beneath it.
+            /// Whether the layer grows as planned, independently of the layers beneath it.
             #[must_use]
             pub fn is_final(&self) -> bool {
                 match self {
@@ -110,7 +110,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// Bytes of memory that it needs on a grid of so many cells for a canvas of `size` px.
+            /// Bytes of memory that it needs on a grid of this number of cells for a canvas of `size` px.
             #[must_use]
             pub fn bytes(&self, size: [f64; 2], grid: [usize; 2]) -> f64 {
                 match self {
@@ -126,7 +126,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// Something to measure the time of; `None` where there is no room to begin.
+            /// A part of the growth for measuring its speed; `None` if there is no room to begin.
             #[must_use]
             pub fn trial(&self, seed: u64) -> Option<Trial> {
                 match self {
@@ -134,7 +134,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// What `check` says of it, beside the `notes` on every kind of layer.
+            /// The output of `check` for it, besides the `notes` on every kind of layer.
             #[must_use]
             pub fn describe(&self, request: &Request, notes: Vec<String>) -> Described {
                 match self {
@@ -142,7 +142,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// A rough first picture of what grows above the layers `beneath`; `None` where the growth shows its own as soon.
+            /// A rough first picture of the growth above the layers `beneath`; `None` if the growth shows its own picture as soon.
             #[must_use]
             pub fn preview(&self, beneath: &Beneath, seed: u64) -> Option<Box<dyn Previewed>> {
                 match self {
@@ -150,7 +150,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// It, for a layer above that asks whether it is of its own kind.
+            /// The plan itself, for a layer above that tests whether it is of its own kind.
             #[must_use]
             pub fn own(&self) -> &dyn Any {
                 match self {
@@ -158,7 +158,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// Begins to grow above what has grown `beneath`.
+            /// Begins the growth above the grown layers `beneath`.
             ///
             /// # Errors
             /// There is no room.
@@ -187,7 +187,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// What is being done, and the share of it that is done, 0..1.
+            /// The current stage of the work, and the share of it that is done, 0..1.
             #[must_use]
             pub fn progress(&self) -> (Stage, f64) {
                 match self {
@@ -195,7 +195,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// Cell updates of `time` of normalised time, as the layer grows now.
+            /// Cell updates of `time` of normalised time on the current grid.
             #[must_use]
             pub fn updates_in(&self, time: f64) -> u64 {
                 match self {
@@ -203,7 +203,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// The layer as it is now; `None` while it is planned or measured.
+            /// The current state of the layer; `None` while it is planned or measured.
             #[must_use]
             pub fn seen(&self) -> Option<Seen<'_>> {
                 match self {
@@ -211,7 +211,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// The drawn marks that find no room, as far as that is known.
+            /// The drawn marks without room, as far as they are known.
             #[must_use]
             pub fn left_out(&self) -> Vec<DrawnMark> {
                 match self {
@@ -219,7 +219,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// What has grown; `None` before it is done.
+            /// The grown layer; `None` before it is done.
             #[must_use]
             pub fn complete(self) -> Option<GrownLayer> {
                 match self {
@@ -231,7 +231,7 @@ macro_rules! kinds {
         }
 
         impl GrownLayer {
-            /// What the plan that it grew from has as all plans have.
+            /// The common part of the plan from which it grew.
             #[must_use]
             pub fn planned(&self) -> Planned {
                 match self {
@@ -239,7 +239,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// How its growth ended.
+            /// The way in which its growth ended.
             #[must_use]
             pub fn ending(&self) -> Ending {
                 match self {
@@ -247,7 +247,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// The pattern at any size, without what passes under stripes that it crosses.
+            /// The pattern at any size, without the parts that pass under stripes that it crosses.
             #[must_use]
             pub fn pattern(&self) -> LayerPattern<'_> {
                 match self {
@@ -255,7 +255,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// What became of each drawn mark.
+            /// For each drawn mark, how it has grown.
             #[must_use]
             pub fn drawn(&self) -> Vec<DrawnMark> {
                 match self {
@@ -271,7 +271,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// Fills in what is particular to its kind in the report of layer `index`.
+            /// Fills in the particulars of its kind in the report of layer `index`.
             pub fn report(&self, document: &Document, index: usize, report: &mut LayerReport) {
                 match self {
                     $($(#[cfg($only)])? Self::$name(grown) => {
@@ -280,7 +280,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// What to change where there is nothing but marks (`full`), or none.
+            /// The advice for a layer with nothing but marks (`full`), or with none.
             #[must_use]
             pub fn advice(&self, full: bool) -> &'static str {
                 match self {
@@ -296,7 +296,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// What has grown, to be taken by one who asks whether it is of some kind.
+            /// The grown layer of a particular kind, by value, for callers that test for a kind.
             #[must_use]
             pub fn into_own(self) -> Box<dyn Any> {
                 match self {
@@ -304,7 +304,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// What has grown, to be changed by one who asks whether it is of some kind.
+            /// The grown layer of a particular kind, mutable, for callers that test for a kind.
             #[must_use]
             pub fn own_mut(&mut self) -> &mut dyn Any {
                 match self {
@@ -312,7 +312,7 @@ macro_rules! kinds {
                 }
             }
 
-            /// What has grown, for one who asks whether it is of some kind.
+            /// The grown layer of a particular kind, for callers that test for a kind.
             #[must_use]
             pub fn own(&self) -> &dyn Any {
                 match self {
@@ -324,9 +324,9 @@ macro_rules! kinds {
 }
 
 kinds! {
-    /// What a picture drives, or a growth.
+    /// A layer that a picture or Turing's growth drives.
     Tone: Driven,
-    /// By a system of pairs of morphogens.
+    /// A layer of a system of pairs of morphogens.
     Pairs: Pairs,
     /// Patches or cells.
     Areas: Areas,
@@ -366,7 +366,7 @@ impl LayerPlan {
 }
 
 impl GrownLayer {
-    /// The system that has grown it.
+    /// The system that grew it.
     #[must_use]
     pub fn system(&self) -> &'static Description {
         self.planned().system
@@ -390,7 +390,7 @@ impl GrownLayer {
         self.ending().settled
     }
 
-    /// Steps taken; none where nothing reacts.
+    /// Steps taken; none for kinds without reactions.
     #[must_use]
     pub fn steps(&self) -> u64 {
         self.ending().steps

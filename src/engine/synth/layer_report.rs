@@ -19,7 +19,7 @@ pub fn report(document: &Document, source: &str, grown: &Grown, seconds: f64) ->
     }
 }
 
-/// The reports of all layers of `document`. A picture of one colour is noted with the uppermost one.
+/// The reports of all layers of `document`. If the picture has a single colour, the note is on the uppermost layer.
 #[must_use]
 pub fn layer_reports(document: &Document, grown: &Grown) -> Vec<LayerReport> {
     let layers = grown.layers.iter().enumerate().take(document.layers.len());

@@ -1,8 +1,8 @@
-//! The threads of a weave, from its picture.
+//! Measures the threads of a weave in its picture.
 //!
-//! The picture is taken for the reaction R of a system of pairs, one for each direction. Their differences at rest show the threads
-//! of one direction each. At which level their edges lie follows from the law of threads, whose widths and periods are
-//! measured at that level: a few rounds agree.
+//! The picture is used as the reaction R of a system of pairs, one for each direction. The differences at equilibrium each show the
+//! threads of one direction. The thresholds of their edges follow from the law of threads, whose widths and periods are measured at
+//! these thresholds: a few rounds converge.
 
 use rayon::prelude::*;
 
@@ -21,7 +21,7 @@ pub struct WovenThreads {
     pub angle: f64,
     /// Mean width, px.
     pub width: f64,
-    /// Distance from one to the next, px.
+    /// Distance from one thread to the next, px.
     pub period: f64,
 }
 
@@ -34,20 +34,20 @@ const MODEL: PairModel = PairModel {
     weights: [1.0; MOST_PAIRS],
     gain: Course::Constant(1.0),
 };
-/// Length ÷ width of its blurs: it is long, so that it sees the mean of the threads that cross them.
+/// Length ÷ width of its blurs: they are long, so that they average over the threads that they cross.
 const BLURS: Blurs = Blurs::Along(6.0);
-/// Period ÷ wavelength of a pair: with smaller pairs the widths of thin threads are less exact.
+/// Period ÷ wavelength of a pair: with smaller pairs the widths of thin threads are less accurate.
 const APART: f64 = 0.92;
-/// Cells of a pair: of fewer the grid shows.
+/// Cells per size of a pair: with fewer, the grid becomes visible.
 const CELLS: f64 = 2.5;
-/// Most rounds in which sizes follow the measured periods: the first begins from a guess.
+/// Most rounds in which sizes follow the measured periods: the first begins with an estimate.
 const SIZE_ROUNDS: usize = 4;
 /// A change of the period by less than this share needs no further round.
 const SAME_PERIOD: f64 = 0.1;
-/// Rounds in which levels follow the widths.
+/// Rounds in which thresholds follow the widths.
 const LEVEL_ROUNDS: usize = 8;
 
-/// The threads of the weave that `pattern` shows: above ½ on the threads. `None` where it has fewer than two directions, or more
+/// The threads of the weave in `pattern`, which is above ½ on the threads. `None` if there are fewer than two directions, or more
 /// than five, or a direction without threads.
 #[must_use]
 pub fn measure_weave(pattern: &Field) -> Option<Vec<WovenThreads>> {
@@ -57,7 +57,7 @@ pub fn measure_weave(pattern: &Field) -> Option<Vec<WovenThreads>> {
         return None;
     }
     let rough = stripes(pattern, 0.5)?;
-    // Of threads that cover a third each.
+    // Initial threads that cover a third each.
     let mut threads = vec![Threads { width: rough.width, period: 3.0 * rough.width }; angles.len()];
     let mut found = Vec::new();
     for _ in 0..SIZE_ROUNDS {
@@ -89,7 +89,7 @@ fn separated(pattern: &Field, free: f64, angles: &[f64], threads: &[Threads]) ->
         let before: Vec<Threads> =
             found.iter().map(|woven| Threads { width: woven.width, period: woven.period }).collect();
         for (index, difference) in differences.iter().enumerate() {
-            // Of all directions together the share that is free is known exactly.
+            // The share that is free of all directions together is known exactly.
             let uncovered = (free / (1.0 - before[index].duty().min(0.9))).min(1.0);
             let level = before[index].difference_at_edge(&MODEL, size(&threads[index]), uncovered);
             let measured = stripes(difference, level as f32)?;
@@ -115,11 +115,11 @@ fn difference(pattern: &Field, angle: f64, size: f64) -> Option<Field> {
     PairGrowth::new(&maps, &MODEL, &start)?.differences().pop()
 }
 
-/// Values farther than this from ½ are not read between px. The ground of a pattern is cut off at 0 next to its edges, and its threads are
-/// not: a surface through all values shows threads of 3 px 2 % too narrow, through these .3 %.
+/// Values farther than this from ½ are not interpolated between px. Next to its edges the ground of a pattern is cut off at 0, its
+/// threads are not: a surface through all values makes threads of 3 px 2 % too narrow, one through these 0.3 %.
 const NEAR_EDGE: f32 = 0.2;
 
-/// The share of each of so many cells that lies above ½.
+/// The share of each of this number of cells that lies above ½.
 fn covered(pattern: &Field, [nx, ny]: [usize; 2]) -> Vec<f32> {
     // Samples along each side of a cell: no farther apart than the px of the pattern.
     let samples = pattern.width.div_ceil(nx).max(pattern.height.div_ceil(ny));

@@ -1,24 +1,24 @@
 //! The memory that a growth needs, checked before it begins.
 //!
-//! What may be used is the caller's to say: `free` is the bytes of it, `None` = without a limit.
+//! The caller decides how many bytes may be used: `free`; `None` = no limit.
 
 use crate::points::discs::Laying;
 use crate::rd::System;
 
-/// Bytes a px of the canvas: the bands in which pictures are made.
+/// Bytes per px of the canvas: the bands in which pictures are made.
 const PX: f64 = 1.0;
-/// Bytes a cell of each pair whose direction varies: three pairs on 769² cells took 73.
+/// Bytes per cell for each pair whose direction varies: three pairs on 769² cells took 73 each.
 const PAIR: f64 = 110.0;
-/// Bytes a cell that a picture drives, beside its growth: directions, distances, parameters.
+/// Bytes per cell of a layer that a picture drives, besides its growth: directions, distances, parameters.
 const DRIVEN: f64 = 30.0;
-/// Bytes a px of a tone, where they are not those of the growth, which has ended: 12 and four for the slopes. 1178² cells with 1964² px took
-/// 253 MB in all without slopes, for which 296 were allowed.
+/// Bytes per px of a tone, where this exceeds the memory of the growth, which has ended: 12, and four for the slopes. 1178² cells
+/// with 1964² px took 253 MB in all without slopes; 296 were reserved.
 const TONE: f64 = 16.0;
-/// Bytes of each point that is laid, with its place in the graph.
+/// Bytes per point that is laid, with its edges in the graph.
 const POINT: f64 = 850.0;
-/// Bytes of each bucket by which discs are found: twelve of them are held in place.
+/// Bytes per bucket for finding discs: twelve discs are stored inside it.
 const BUCKET: f64 = 100.0;
-/// Bytes of any growth: the program, and a band of the picture with its patterns.
+/// Bytes for any growth: the program, and a band of the picture with its patterns.
 pub const BASE: f64 = 60e6;
 
 /// A growth that does not fit into memory.
@@ -39,26 +39,26 @@ pub struct TooLarge {
     pub free: f64,
 }
 
-/// Bytes that a growth on `grid` cells that a picture drives, with a tone of `fine` px, needs; without the picture it needs `growth`.
+/// Bytes for a growth driven by a picture on `grid` cells, with a tone of `fine` px; without the picture it needs `growth`.
 #[must_use]
 pub fn needed_by_tone(growth: f64, grid: [usize; 2], fine: [usize; 2]) -> f64 {
     let of = |[x, y]: [usize; 2], bytes: f64| x as f64 * y as f64 * bytes;
     growth + of(grid, DRIVEN) + of(fine, TONE)
 }
 
-/// Bytes that a growth needs of which each cell of the grid needs so many, for a canvas of `size` px.
+/// Bytes for a growth that needs `a_cell` bytes per cell of the grid, for a canvas of `size` px.
 #[must_use]
 pub fn of_cells(a_cell: f64, size: [f64; 2], grid: [usize; 2]) -> f64 {
     BASE + grid[0] as f64 * grid[1] as f64 * a_cell + size[0] * size[1] * PX
 }
 
-/// Bytes that laid points need, with their graph and what they are found by.
+/// Bytes for laid points, with their graph and the buckets for finding them.
 #[must_use]
 pub fn of_points(laying: &Laying) -> f64 {
     laying.points * POINT + laying.buckets * BUCKET
 }
 
-/// Checks that a growth on `grid` cells for a canvas of `size` px, which needs so many bytes, fits into those that are `free`.
+/// Checks that a growth on `grid` cells for a canvas of `size` px, which needs `needed` bytes, fits into the `free` ones.
 ///
 /// # Errors
 /// [`TooLarge`] with the numbers.
@@ -69,7 +69,7 @@ pub fn fits(needed: f64, size: [f64; 2], grid: [usize; 2], free: Option<f64>) ->
     }
 }
 
-/// Bytes that a growth of so many pairs on `grid` cells for a canvas of `size` px needs.
+/// Bytes for a growth of this number of pairs on `grid` cells, for a canvas of `size` px.
 #[must_use]
 pub fn needed_by_pairs(pairs: usize, size: [f64; 2], grid: [usize; 2]) -> f64 {
     of_cells(pairs as f64 * PAIR, size, grid)
@@ -122,7 +122,7 @@ pub fn check_export(
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("{what} needs about {:.1} GB of memory, {:.1} GB are free; {remedy}", needed / 1e9, free / 1e9)]
 pub struct TooLargeExport {
-    /// What is exported.
+    /// The name of the exported content.
     pub what: &'static str,
     /// Bytes needed.
     pub needed: f64,
@@ -132,7 +132,7 @@ pub struct TooLargeExport {
     pub remedy: &'static str,
 }
 
-/// Bytes that a growth of `system` on `grid` cells for a canvas of `size` px needs.
+/// Bytes for a growth of `system` on `grid` cells, for a canvas of `size` px.
 #[must_use]
 pub fn needed(system: System, size: [f64; 2], grid: [usize; 2]) -> f64 {
     of_cells(system.definition().cost.bytes_a_cell, size, grid)
@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_fit_is_refused_with_the_numbers() {
+    fn growths_that_do_not_fit_are_refused_with_the_numbers() {
         const FREE: Option<f64> = Some(8e9);
         let (size, grid) = ([1e6; 2], [900_000; 2]);
         let bytes = needed(System::MEINHARDT_STRIPES, size, grid);

@@ -8,7 +8,7 @@
 //!  estimate, render, layer_report          what is made of plans and of grown layers
 //! ```
 
-// What all kinds of layer have in common.
+// The common parts of all kinds of layers.
 pub mod drawn;
 pub mod error;
 pub mod kind;
@@ -44,7 +44,7 @@ pub mod pair_patch;
 pub mod render;
 mod short_way;
 
-// Beside growing: laws without a canvas, and documents made of pictures.
+// Besides growing: laws without a canvas, and documents made from pictures.
 pub mod closed_form;
 pub mod import;
 pub mod measured_weave;

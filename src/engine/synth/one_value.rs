@@ -1,4 +1,4 @@
-//! What is said of a layer without a pattern, and of a picture of one colour.
+//! Notes on a layer without a pattern, and on a picture of one colour.
 
 use crate::document::Document;
 use crate::synth::growth::Grown;
@@ -6,12 +6,12 @@ use crate::synth::layer::GrownLayer;
 use crate::synth::pattern::EDGE;
 use crate::synth::render::painting::Painting;
 
-/// Pattern values are not told apart in 8 bits where they differ by less.
+/// Least difference of pattern values that is visible in 8 bits.
 const STEP: f32 = 1.0 / 255.0;
-/// Rows that are looked at together: most patterns differ in the first ones.
+/// Rows that are tested together: in most patterns the first ones differ already.
 const ROWS: usize = 32;
 
-/// A note that a layer has no pattern, with what to change; `None` where it has one.
+/// A note that a layer has no pattern, with what to change; `None` if it has one.
 #[must_use]
 pub fn note_on_layer(layer: &GrownLayer) -> Option<String> {
     let [width, height] = layer.planned().grid.bounds_px().size.map(|side| (side.round() as usize).max(1));
@@ -34,7 +34,7 @@ pub fn note_on_layer(layer: &GrownLayer) -> Option<String> {
     Some(format!("{what}: {}", layer.advice(full)))
 }
 
-/// A note that the picture of `document` is of one colour, with what to change; `None` where it is not.
+/// A note that the picture of `document` has a single colour, with what to change; `None` if it has several.
 #[must_use]
 pub fn note_on_picture(document: &Document, grown: &Grown) -> Option<String> {
     let painting = Painting::new(document, grown, 1);

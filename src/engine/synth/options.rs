@@ -1,4 +1,4 @@
-//! How to grow a document, beyond what it says itself.
+//! Options for growing a document that are not stored in it.
 
 use std::time::Duration;
 
@@ -6,22 +6,22 @@ use crate::synth::time::TimeLimit;
 use crate::synth::training::Training;
 use crate::synth::watch::Watch;
 
-/// How to grow a document, beyond what it says itself.
+/// Options for growing a document that are not stored in it.
 #[derive(Clone, Copy)]
 pub struct Options<'a> {
     /// Canvas, px; `None` = the document's. The regions stretch with it, marks keep their size.
     pub size: Option<[u32; 2]>,
-    /// Whether to correct the pattern; `None` = as the document says.
+    /// Whether to correct the pattern; `None` = the document's setting.
     pub refine: Option<bool>,
     /// Whether to keep the concentrations of all chemicals, which takes 8 or 20 bytes a cell.
     pub concentrations: bool,
-    /// What messages call the document, such as its path.
+    /// The name of the document in messages, such as its path.
     pub source: &'a str,
-    /// Where parameters are looked up.
+    /// Training sets in which parameters are looked up.
     pub training: &'a Training,
     /// Bytes of memory that may be used: what needs more is refused before it grows. `None` = without a limit.
     pub memory: Option<f64>,
-    /// How long it may take, by laws: what takes longer is refused before it grows.
+    /// Time limit, by laws: a growth that takes longer is refused before it begins.
     pub time: TimeLimit,
     /// Progress and cancelling.
     pub watch: Watch<'a>,
@@ -30,17 +30,17 @@ pub struct Options<'a> {
 /// A clock: the time since some moment.
 pub type Clock = fn() -> Duration;
 
-/// What the engine is told of the machine that it runs on, because it asks for nothing itself.
+/// Properties of the machine that the engine runs on; the engine does not query the system itself.
 #[derive(Clone, Copy, Debug)]
 pub struct Machine {
     /// Bytes of memory that may be used; `None` = without a limit.
     pub memory: Option<f64>,
-    /// Measures how fast it is.
+    /// A clock for measuring its speed.
     pub clock: Clock,
 }
 
 impl Default for Options<'_> {
-    /// Grows what the document says, from the built-in training sets, without limits of memory and time and without progress.
+    /// Options for growing a document from the built-in training sets, without limits of memory and time and without progress.
     fn default() -> Self {
         Self {
             size: None,
@@ -56,7 +56,7 @@ impl Default for Options<'_> {
 }
 
 impl Options<'_> {
-    /// The options that decide what grows.
+    /// The options that influence the result.
     #[must_use]
     pub fn settings(&self) -> Settings {
         Settings { size: self.size, refine: self.refine, concentrations: self.concentrations }
@@ -68,7 +68,7 @@ impl Options<'_> {
 pub struct Settings {
     /// Canvas, px; `None` = the document's.
     pub size: Option<[u32; 2]>,
-    /// Whether the pattern was corrected; `None` = as the document says.
+    /// Whether the pattern was corrected; `None` = the document's setting.
     pub refine: Option<bool>,
     /// Whether the concentrations of all chemicals were kept.
     pub concentrations: bool,

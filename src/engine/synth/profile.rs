@@ -1,8 +1,8 @@
-//! Where the time of a growth goes: CPU time by section.
+//! CPU time of a growth by section of the work.
 //!
-//! The code names the section that it works for with [`during`]. Time counts for the innermost section; only what a probe does
-//! besides its steps counts for [`Section::Probe`] as a whole. [`measured`] collects the times of one thread, so the work has to run
-//! in a thread pool of one. Nothing is measured elsewhere. The caller brings the clock: the time since some moment.
+//! The code marks sections with [`during`]. Time counts for the innermost section; but the work of a probe counts for
+//! [`Section::Probe`] as a whole, except its steps. [`measured`] collects the times of one thread, so the work has to run in a
+//! thread pool of one thread. Nothing is measured outside of it. The caller provides the clock: the time since some moment.
 
 use std::cell::RefCell;
 use std::time::Duration;
@@ -12,7 +12,7 @@ use std::time::Duration;
 pub enum Section {
     /// Attributes of the sketch and their parameters.
     LookUp,
-    /// Growing and measuring small patches, to correct the looked-up parameters; but for the steps of their growth.
+    /// Growing and measuring small patches, to correct the looked-up parameters, except the steps of their growth.
     Probe,
     /// Places of marks.
     LayOut,
@@ -28,7 +28,7 @@ pub enum Section {
     Checks,
     /// Moving drawn marks back to their places.
     Moves,
-    /// Measuring the pattern and correcting levels.
+    /// Measuring the pattern and correcting thresholds.
     Measure,
     /// Patterns and colours of the px.
     Paint,
@@ -105,7 +105,7 @@ impl Seconds {
 struct Clock {
     seconds: Seconds,
     section: Section,
-    /// When the current section began or was last counted.
+    /// The time at which the current section began or was last counted.
     since: Duration,
     /// The time since some moment.
     now: fn() -> Duration,
@@ -133,7 +133,7 @@ fn begin(section: Section) -> Option<Section> {
 /// Does `work`, whose time counts for `section`.
 pub fn during<T>(section: Section, work: impl FnOnce() -> T) -> T {
     let current = CLOCK.with_borrow(|clock| clock.as_ref().map(|clock| clock.section));
-    // The steps of a probe are steps.
+    // The steps of a probe count as steps.
     let part_of_probe = current == Some(Section::Probe) && section != Section::Steps;
     let section = if part_of_probe { Section::Probe } else { section };
     let before = begin(section);
@@ -176,13 +176,13 @@ mod tests {
         NOW.get()
     }
 
-    /// Takes a millisecond of the clock.
+    /// Work of one millisecond by the clock.
     fn work() {
         NOW.set(now() + Duration::from_millis(1));
     }
 
     #[test]
-    fn time_counts_for_the_innermost_phase_and_then_for_the_outer_one_again() {
+    fn time_counts_for_the_innermost_section_and_then_for_the_outer_one_again() {
         let ((), seconds) = measured(now, || {
             during(Section::Measure, || {
                 work();
@@ -213,7 +213,7 @@ mod tests {
     }
 
     #[test]
-    fn every_phase_has_its_own_place_and_name() {
+    fn every_section_has_its_own_place_and_name() {
         for (index, section) in Section::ALL.into_iter().enumerate() {
             assert_eq!(section as usize, index);
             assert_eq!(Section::ALL.iter().filter(|other| other.name() == section.name()).count(), 1);

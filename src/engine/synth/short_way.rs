@@ -1,4 +1,4 @@
-//! The short way from a document to what grows: [`Document::grow`], [`Grown::rgb`].
+//! Short calls from a document to a grown texture: [`Document::grow`], [`Grown::rgb`].
 
 use std::io::Write;
 
@@ -51,7 +51,7 @@ impl Document {
     /// ```
     ///
     /// # Errors
-    /// As [`Document::grow`]; and where it does not fit into the memory that may be used, or was cancelled.
+    /// Those of [`Document::grow`]; or the growth does not fit into the memory that may be used, or was cancelled.
     pub fn grow_with(&self, options: &Options) -> Result<Grown, GrowError> {
         self.check(options.source)?;
         Growth::begin(self, options, None).run()
@@ -78,13 +78,13 @@ impl Grown {
         self.layers.get(index).map(|layer| GrownLayer::pattern(layer).field(width, height))
     }
 
-    /// What was asked, looked up and found, by layer and region. `seconds` is 0: time is not measured here.
+    /// The report of the growth, by layer and region. `seconds` is 0: time is not measured here.
     #[must_use]
     pub fn report(&self) -> Report {
         report(&self.document, &self.document.name, self, 0.0)
     }
 
-    /// How the picture is written that is `scale` times as large as the canvas.
+    /// The style of a picture that is `scale` times as large as the canvas.
     #[must_use]
     pub fn style(&self, scale: u32) -> Style {
         let mut document = self.document.clone();

@@ -1,20 +1,20 @@
-//! The time that a growth may take, known before it begins.
+//! The time limit of a growth, checked before it begins.
 //!
-//! It is counted by laws, in seconds of one core, so that a document is refused on every machine or on none, however busy it is.
-//! What is timed on this machine is told beside it (`estimate`).
+//! The time is estimated by laws, in seconds of one core, so that a document is refused on all machines or on none, whatever their
+//! load. The time measured on this machine is reported besides (`estimate`).
 
-/// Seconds that a large canvas may take: ten minutes.
+/// Most seconds that a large canvas may take: ten minutes.
 const MOST: f64 = 600.0;
-/// Seconds a px of the canvas that a smaller one may take. The slowest of the examples and golden textures takes .02 ms a px: what takes
-/// so much more has marks that are far finer than a px, or differ far more in size than one picture shows.
+/// Seconds per px of the canvas that a smaller one may take. The slowest of the examples and golden textures takes 0.02 ms per px:
+/// a growth that takes so much more has marks far finer than a px, or with far more different sizes than one picture shows.
 const A_PX: f64 = 3e-4;
-/// Seconds that any canvas may take.
+/// Seconds that any canvas may take at least.
 const LEAST: f64 = 5.0;
 
-/// Seconds of one core of each try at a place for a disc; see [`Laying`](crate::points::discs::Laying).
+/// Seconds of one core for each attempt to place a disc; see [`Laying`](crate::points::discs::Laying).
 pub const TRY_SECONDS: f64 = 1e-5;
 
-/// How long a growth may take.
+/// The time that a growth may take.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum TimeLimit {
     /// Without a limit.
@@ -22,7 +22,7 @@ pub enum TimeLimit {
     None,
     /// .3 ms a px of the canvas, at least 5 s and at most ten minutes.
     Usual,
-    /// So many seconds.
+    /// Limit in seconds.
     Seconds(f64),
 }
 
@@ -97,7 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn what_takes_too_long_is_refused_with_the_numbers_and_what_allows_it() {
+    fn a_growth_that_takes_too_long_is_refused_with_the_numbers_and_the_remedy() {
         assert_eq!(TimeLimit::Usual.allows(23.0, [400.0, 200.0]), Ok(()));
         let error = TimeLimit::Usual.allows(100.0, [400.0, 200.0]).unwrap_err().to_string();
         assert!(error.starts_with("growing takes about 2 min"), "{error}");

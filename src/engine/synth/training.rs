@@ -35,7 +35,7 @@ impl Training {
         Self::new(Some(folder))
     }
 
-    /// Only these rows of `system`; the built-in sets of the others.
+    /// A collection with only these rows of `system`, and the built-in sets of the other systems.
     ///
     /// # Errors
     /// Too few rows, or rows of another system.
@@ -46,7 +46,7 @@ impl Training {
         Ok(training)
     }
 
-    /// The built-in sets, with these rows of the system of pairs `system`: without any its laws alone.
+    /// The built-in sets, with these rows of the system of pairs `system`; without rows its laws alone hold.
     ///
     /// # Errors
     /// Too few rows.
@@ -63,7 +63,7 @@ impl Training {
         system.coordinates().map(|_| &self.pairs[place(system)])
     }
 
-    /// The rows of the system of pairs `system`; `None` where there are none: its laws hold alone.
+    /// The rows of the system of pairs `system`; `None` if there are none, so that its laws alone hold.
     ///
     /// # Errors
     /// The file is missing or wrong: which one, where, what is allowed.
@@ -109,7 +109,7 @@ impl Training {
     }
 }
 
-/// The place of a system in the list.
+/// The index of a system in the list.
 fn place(system: &Description) -> usize {
     SYSTEMS.iter().position(|other| *other == system).unwrap_or(0)
 }

@@ -1,24 +1,24 @@
 //! Progress of a growth, and cancelling it.
 
-/// What is being done.
+/// The stages of the work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
-    /// Looking up parameters, laying out the grid and where marks begin.
+    /// Looking up parameters, laying out the grid and the initial places of marks.
     Plan,
     /// Reaction and diffusion.
     Grow,
-    /// Measuring the pattern and correcting its levels.
+    /// Measuring the pattern and correcting its thresholds.
     Refine,
     /// Writing pictures.
     Write,
 }
 
-/// Callbacks of a long computation: one is called with its progress, the other says whether to stop.
+/// Callbacks of a long computation: one receives its progress, the other one can cancel it.
 #[derive(Clone, Copy)]
 pub struct Watch<'a> {
     /// Called with the stage and the share of it that is done, 0..1.
     pub progress: &'a (dyn Fn(Stage, f64) + Sync),
-    /// Called every few milliseconds; the computation stops where it returns true.
+    /// Called every few milliseconds; the computation stops if it returns true.
     pub cancelled: &'a (dyn Fn() -> bool + Sync),
 }
 
@@ -34,7 +34,7 @@ impl Watch<'_> {
     /// Reports progress.
     ///
     /// # Errors
-    /// [`Cancelled`] where the computation should stop.
+    /// [`Cancelled`] if the computation should stop.
     pub fn step(&self, stage: Stage, share: f64) -> Result<(), Cancelled> {
         (self.progress)(stage, share.clamp(0.0, 1.0));
         if (self.cancelled)() { Err(Cancelled) } else { Ok(()) }

@@ -25,7 +25,7 @@ fn a_file_is_created_and_replaced() {
 }
 
 #[test]
-fn a_writer_that_fails_or_is_cancelled_leaves_everything_as_it_was() {
+fn a_write_that_fails_or_is_cancelled_changes_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.png");
     fs::write(&path, "old").unwrap();

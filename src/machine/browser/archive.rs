@@ -1,4 +1,4 @@
-//! A folder as one file: browsers save files only.
+//! Packs a folder into one file, because browsers only save files.
 
 use std::io::{self, Seek, Write};
 use std::path::Path;

@@ -1,5 +1,5 @@
-//! Files in memory: a browser has none for us. The page puts into it what a visitor opens and takes out what is exported; what
-//! lies in [`KEPT`] it keeps from one visit to the next.
+//! Files in memory, because a browser gives programs no file system. The page adds the files that a visitor opens and
+//! takes the exported ones. It keeps the files in [`KEPT`] from one visit to the next.
 
 mod disk;
 mod file;
@@ -14,7 +14,7 @@ pub use file::{File, OpenOptions, TryLockError};
 
 use crate::machine::clock::SystemTime;
 
-/// Who may use a file: everyone.
+/// Permissions of a file: everyone may use it.
 #[derive(Clone, Debug)]
 pub struct Permissions;
 
@@ -26,7 +26,7 @@ impl Permissions {
     }
 }
 
-/// Whether it is a file or a folder.
+/// Whether an entry is a file or a folder.
 #[derive(Clone, Copy, Debug)]
 pub struct FileType {
     is_dir: bool,
@@ -46,7 +46,7 @@ impl FileType {
     }
 }
 
-/// What is known of a file or folder.
+/// Properties of a file or folder.
 #[derive(Clone, Debug)]
 pub struct Metadata {
     kind: FileType,
@@ -67,14 +67,14 @@ impl Metadata {
         self.kind.is_file()
     }
 
-    /// Its bytes; none of a folder.
+    /// The length of the file in bytes; 0 for a folder.
     #[expect(clippy::len_without_is_empty, reason = "it is called as the standard library calls it")]
     #[must_use]
     pub fn len(&self) -> u64 {
         self.len
     }
 
-    /// When it was written.
+    /// The time at which it was written.
     ///
     /// # Errors
     /// None.
@@ -82,7 +82,7 @@ impl Metadata {
         Ok(self.modified)
     }
 
-    /// Who may use it.
+    /// The permissions, which are the same for all files.
     #[must_use]
     pub fn permissions(&self) -> Permissions {
         Permissions
@@ -118,7 +118,7 @@ impl DirEntry {
     }
 }
 
-/// Whether there is something at `path`.
+/// Whether there is a file or folder at `path`.
 #[must_use]
 pub fn exists(path: impl AsRef<Path>) -> bool {
     metadata(path).is_ok()
@@ -130,10 +130,10 @@ pub fn is_dir(path: impl AsRef<Path>) -> bool {
     metadata(path).is_ok_and(|there| there.is_dir())
 }
 
-/// What is known of what is at `path`.
+/// The properties of the file or folder at `path`.
 ///
 /// # Errors
-/// Nothing is there.
+/// There is no file or folder.
 pub fn metadata(path: impl AsRef<Path>) -> io::Result<Metadata> {
     let disk = disk();
     Ok(match disk.at(&normal(path.as_ref()))? {
@@ -151,7 +151,7 @@ pub fn metadata(path: impl AsRef<Path>) -> io::Result<Metadata> {
 /// All bytes of a file.
 ///
 /// # Errors
-/// It is missing, or a folder.
+/// The file is missing, or is a folder.
 pub fn read(path: impl AsRef<Path>) -> io::Result<Vec<u8>> {
     let content = disk().file(&normal(path.as_ref()))?;
     let bytes = disk::locked(&content).bytes.clone();
@@ -161,7 +161,7 @@ pub fn read(path: impl AsRef<Path>) -> io::Result<Vec<u8>> {
 /// The text of a file.
 ///
 /// # Errors
-/// It is missing, a folder, or not UTF-8.
+/// The file is missing, is a folder, or is not UTF-8.
 pub fn read_to_string(path: impl AsRef<Path>) -> io::Result<String> {
     String::from_utf8(read(path)?).map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))
 }
@@ -169,15 +169,15 @@ pub fn read_to_string(path: impl AsRef<Path>) -> io::Result<String> {
 /// Writes a file.
 ///
 /// # Errors
-/// Its folder is missing, or it is one.
+/// Its folder is missing, or a folder has this path.
 pub fn write(path: impl AsRef<Path>, bytes: impl AsRef<[u8]>) -> io::Result<()> {
     io::Write::write_all(&mut File::create(path)?, bytes.as_ref())
 }
 
-/// Puts bytes there as a file, without a copy.
+/// Makes a file of these bytes, without copying them.
 ///
 /// # Errors
-/// Its folder is missing, or something is there.
+/// Its folder is missing, or a file or folder has this path already.
 pub fn put(path: impl AsRef<Path>, bytes: Vec<u8>) -> io::Result<()> {
     disk().create(&normal(path.as_ref()), Node::file(bytes))
 }
@@ -185,7 +185,7 @@ pub fn put(path: impl AsRef<Path>, bytes: Vec<u8>) -> io::Result<()> {
 /// Makes a folder.
 ///
 /// # Errors
-/// Its parent is missing, or something is there.
+/// Its parent is missing, or a file or folder has this path already.
 pub fn create_dir(path: impl AsRef<Path>) -> io::Result<()> {
     disk().create(&normal(path.as_ref()), Node::Folder)
 }
@@ -193,7 +193,7 @@ pub fn create_dir(path: impl AsRef<Path>) -> io::Result<()> {
 /// Makes a folder and its missing parents.
 ///
 /// # Errors
-/// A file is there.
+/// A file has this path, or that of a parent.
 pub fn create_dir_all(path: impl AsRef<Path>) -> io::Result<()> {
     let path = normal(path.as_ref());
     let mut missing: Vec<&Path> = path.ancestors().take_while(|folder| !is_dir(*folder)).collect();
@@ -218,7 +218,7 @@ pub fn read_dir(path: impl AsRef<Path>) -> io::Result<impl Iterator<Item = io::R
 /// Deletes a file.
 ///
 /// # Errors
-/// It is missing, or a folder.
+/// The file is missing, or is a folder.
 pub fn remove_file(path: impl AsRef<Path>) -> io::Result<()> {
     let (path, mut disk) = (normal(path.as_ref()), disk());
     disk.file(&path)?;
@@ -229,7 +229,7 @@ pub fn remove_file(path: impl AsRef<Path>) -> io::Result<()> {
 /// Deletes an empty folder.
 ///
 /// # Errors
-/// It is missing, a file, or not empty.
+/// The folder is missing, is a file, or is not empty.
 pub fn remove_dir(path: impl AsRef<Path>) -> io::Result<()> {
     let (path, mut disk) = (normal(path.as_ref()), disk());
     match disk.at(&path)? {
@@ -246,7 +246,7 @@ pub fn remove_dir(path: impl AsRef<Path>) -> io::Result<()> {
 /// Deletes a folder with all that is in it.
 ///
 /// # Errors
-/// It is missing.
+/// The folder is missing.
 pub fn remove_dir_all(path: impl AsRef<Path>) -> io::Result<()> {
     let (path, mut disk) = (normal(path.as_ref()), disk());
     disk.at(&path)?;
@@ -257,18 +257,18 @@ pub fn remove_dir_all(path: impl AsRef<Path>) -> io::Result<()> {
     Ok(())
 }
 
-/// Renames a file or a folder; a file that is there is replaced.
+/// Renames a file or a folder; a file with the new name is replaced.
 ///
 /// # Errors
-/// It is missing, the other folder is missing, or a folder is there.
+/// It is missing, the folder of the new path is missing, or a folder has the new name.
 pub fn rename(from: impl AsRef<Path>, to: impl AsRef<Path>) -> io::Result<()> {
     disk().rename(&normal(from.as_ref()), &normal(to.as_ref()))
 }
 
-/// The whole path of what is at `path`.
+/// The absolute path of the file or folder at `path`.
 ///
 /// # Errors
-/// Nothing is there.
+/// There is no file or folder.
 pub fn canonicalize(path: impl AsRef<Path>) -> io::Result<PathBuf> {
     let path = normal(path.as_ref());
     disk().at(&path)?;

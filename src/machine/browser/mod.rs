@@ -1,5 +1,5 @@
-//! A browser: threads are workers that share the program's memory, files lie in memory, and a page stands between the program and
-//! the visitor.
+//! A browser: threads are workers that share the program's memory, files are kept in memory, and the page passes files
+//! and requests between the program and the visitor.
 //!
 //! ```text
 //!  page ─▶ window (the page's thread, which never waits)      workers ─▶ tasks, pools

@@ -1,4 +1,4 @@
-//! What the program and the page tell each other. The page looks for requests several times a second.
+//! Messages between the program and the page. The page looks for requests several times a second.
 
 use std::collections::{BTreeMap, VecDeque};
 use std::io;
@@ -11,34 +11,34 @@ use super::sync::{Mutex, MutexGuard};
 use super::threads::{fail_if_panicked, sleep, start};
 use super::{archive, fs};
 
-/// The folder of what is written for the visitor.
+/// The folder of files that are written for the visitor.
 pub const WRITTEN: &str = "/written";
-/// The folder of what the visitor has given.
+/// The folder of files that the visitor has opened.
 const GIVEN: &str = "/given";
-/// Given files that are remembered: the oldest are forgotten.
+/// The number of opened files that are kept; the oldest are deleted.
 const REMEMBERED: u64 = 12;
-/// How often an answer is looked for.
+/// The time between two checks for an answer.
 const ASKED: Duration = Duration::from_millis(20);
 
-/// What the page is asked for.
+/// What the program asks of the page.
 #[derive(Clone, Debug)]
 pub enum Request {
-    /// A file with one of these endings that the visitor chooses; it is answered to this number.
+    /// Let the visitor choose a file with one of these endings; the answer gets this number.
     Choose(u64, &'static [&'static str]),
-    /// The file of this name beside the page; it is answered to this number.
+    /// Load the file of this name beside the page; the answer gets this number.
     Load(u64, String),
-    /// To save this file where the visitor keeps files.
+    /// Save this file where the visitor keeps files.
     Save(PathBuf),
-    /// To put the picture in this file into the clipboard.
+    /// Put the picture in this file on the clipboard.
     Copy(PathBuf),
 }
 
-/// A file that was chosen or loaded: its path. `None` = none was.
+/// The path of a file that was chosen or loaded; `None` = no file was.
 type Answer = Option<PathBuf>;
 
 static REQUESTS: Mutex<VecDeque<Request>> = Mutex::new(VecDeque::new());
 static ANSWERS: Mutex<BTreeMap<u64, Answer>> = Mutex::new(BTreeMap::new());
-/// Failures outside of the window, in words.
+/// Failures outside the window, as messages.
 static FAILED: Mutex<Vec<String>> = Mutex::new(Vec::new());
 static DROPPED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 static AWAKE: AtomicBool = AtomicBool::new(false);
@@ -52,18 +52,18 @@ fn next_number() -> u64 {
     NUMBER.fetch_add(1, Ordering::Relaxed)
 }
 
-/// Asks for a frame.
+/// Requests a frame.
 pub fn wake() {
     AWAKE.store(true, Ordering::Release);
 }
 
-/// Whether a frame was asked for since the last call.
+/// Whether a frame was requested since the last call.
 #[must_use]
 pub fn take_wake() -> bool {
     AWAKE.swap(false, Ordering::AcqRel)
 }
 
-/// Asks the page.
+/// Sends a request to the page.
 pub fn ask(request: Request) {
     locked(&REQUESTS).push_back(request);
 }
@@ -79,7 +79,7 @@ pub fn answer(number: u64, file: Option<PathBuf>) {
     locked(&ANSWERS).insert(number, file);
 }
 
-/// Waits for an answer as long as that is wanted; not on the page's thread.
+/// Waits for an answer while `is_wanted` is true. Must not be called on the page's thread.
 fn wait_for(number: u64, is_wanted: &dyn Fn() -> bool) -> Answer {
     while is_wanted() {
         fail_if_panicked();
@@ -91,15 +91,15 @@ fn wait_for(number: u64, is_wanted: &dyn Fn() -> bool) -> Answer {
     None
 }
 
-/// Lets the visitor choose a file, and waits for it as long as it is wanted.
+/// Lets the visitor choose a file, and waits for the answer while `is_wanted` is true.
 pub fn choose(endings: &'static [&'static str], is_wanted: &dyn Fn() -> bool) -> Option<PathBuf> {
     let number = next_number();
     ask(Request::Choose(number, endings));
     wait_for(number, is_wanted)
 }
 
-/// Lets the page save what was written: a file as it is, a folder as an archive of its name. Where that cannot be made, the folder stays,
-/// and [`take_failed`] says why.
+/// Lets the page save what was written: a file as it is, a folder as an archive with the name of the folder. Where the
+/// archive cannot be made, the folder stays, and [`take_failed`] returns the reason.
 pub fn save(path: &Path) {
     let path = path.to_owned();
     if !fs::is_dir(&path) {
@@ -124,23 +124,23 @@ pub fn save(path: &Path) {
             }
         }
     };
-    // The page starts as many threads as are wanted.
+    // Cannot fail: the page starts as many threads as are needed.
     let _ = start("packing", pack);
 }
 
-/// Lets the window show a failure outside of it.
+/// Reports a failure outside the window, to be shown in the window.
 pub fn tell(why: String) {
     locked(&FAILED).push(why);
     wake();
 }
 
-/// Failures outside of the window since the last call, in words.
+/// Failures outside the window since the last call, as messages.
 #[must_use]
 pub fn take_failed() -> Vec<String> {
     std::mem::take(&mut locked(&FAILED))
 }
 
-/// What was written there: its bytes. A file that was written for the visitor is deleted.
+/// The bytes of a file. A file that was written for the visitor is then deleted.
 ///
 /// # Errors
 /// There is no such file.
@@ -166,7 +166,7 @@ pub fn load(name: &str) -> io::Result<Vec<u8>> {
     bytes
 }
 
-/// Puts a file in memory that the visitor or the page gives; returns its path.
+/// Stores a file that the visitor opens or the page loads in memory; returns its path.
 ///
 /// # Errors
 /// It is too large.
@@ -183,7 +183,7 @@ pub fn give(name: &str, bytes: Vec<u8>) -> io::Result<PathBuf> {
     Ok(path)
 }
 
-/// Gives a file that was dropped or pasted.
+/// Passes on a file that was dropped or pasted.
 pub fn drop_file(path: PathBuf) {
     locked(&DROPPED).push(path);
     wake();

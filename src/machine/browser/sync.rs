@@ -1,5 +1,5 @@
-//! Locks that the page's thread may take. A browser does not let that thread wait, so it tries again until it succeeds: what is done
-//! under such a lock is short.
+//! Locks that the page's thread may take. A browser does not let that thread block, so it tries again until it
+//! succeeds. Such locks may only be held for a short time.
 
 use std::hint::spin_loop;
 pub use std::sync::{Condvar, MutexGuard, PoisonError};

@@ -6,10 +6,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::fs::{self, File, OpenOptions, Permissions};
 
-/// Where folders without a place are made.
+/// The folder for temporary folders that need no special place.
 const FOLDER: &str = "/temporary";
 
-/// What a temporary file or folder is called.
+/// The form of the name of a temporary file or folder.
 #[derive(Debug, Default)]
 pub struct Builder<'a, 'b> {
     prefix: &'a str,
@@ -23,19 +23,19 @@ impl<'a, 'b> Builder<'a, 'b> {
         Self::default()
     }
 
-    /// What the name begins with.
+    /// Sets the beginning of the name.
     pub fn prefix(&mut self, prefix: &'a str) -> &mut Self {
         self.prefix = prefix;
         self
     }
 
-    /// What the name ends with.
+    /// Sets the end of the name.
     pub fn suffix(&mut self, suffix: &'b str) -> &mut Self {
         self.suffix = suffix;
         self
     }
 
-    /// Everything may be read and written.
+    /// Does nothing: every file may be read and written.
     pub fn permissions(&mut self, _: Permissions) -> &mut Self {
         self
     }
@@ -45,7 +45,7 @@ impl<'a, 'b> Builder<'a, 'b> {
         format!("{}{}{}", self.prefix, NUMBER.fetch_add(1, Ordering::Relaxed), self.suffix)
     }
 
-    /// A file in `folder`.
+    /// Creates a temporary file in `folder`.
     ///
     /// # Errors
     /// The folder is missing.
@@ -55,7 +55,7 @@ impl<'a, 'b> Builder<'a, 'b> {
         Ok(NamedTempFile { file, path: Beside(path) })
     }
 
-    /// A folder in `parent`.
+    /// Creates a temporary folder in `parent`.
     ///
     /// # Errors
     /// The parent is missing.
@@ -65,7 +65,7 @@ impl<'a, 'b> Builder<'a, 'b> {
         Ok(TempDir(Beside(path)))
     }
 
-    /// A folder.
+    /// Creates a temporary folder.
     ///
     /// # Errors
     /// None.
@@ -75,12 +75,12 @@ impl<'a, 'b> Builder<'a, 'b> {
     }
 }
 
-/// A path whose file or folder is deleted when it is dropped.
+/// A path whose file or folder is deleted when this is dropped.
 #[derive(Debug)]
 struct Beside(PathBuf);
 
 impl Beside {
-    /// The path; what is there stays.
+    /// Returns the path; the file or folder is no longer deleted.
     fn keep(mut self) -> PathBuf {
         std::mem::take(&mut self.0)
     }
@@ -105,7 +105,7 @@ impl TempDir {
         &self.0.0
     }
 
-    /// Its path; it is not deleted any more.
+    /// Returns its path; the folder is no longer deleted.
     #[must_use]
     pub fn keep(self) -> PathBuf {
         self.0.keep()
@@ -122,7 +122,7 @@ pub struct NamedTempFile {
 /// A temporary file that could not be renamed.
 #[derive(Debug)]
 pub struct PersistError {
-    /// Why.
+    /// The reason.
     pub error: io::Error,
 }
 
@@ -139,7 +139,7 @@ impl NamedTempFile {
         &self.file
     }
 
-    /// Renames it; it is not deleted any more.
+    /// Renames the file; it is no longer deleted.
     ///
     /// # Errors
     /// A folder has that name, or the folder is missing.

@@ -19,13 +19,14 @@ static QUEUE: Mutex<VecDeque<Work>> = Mutex::new(VecDeque::new());
 static FILLED: Condvar = Condvar::new();
 /// Workers that wait for work.
 static IDLE: AtomicUsize = AtomicUsize::new(0);
-/// Whether workers may begin.
+/// Whether workers may start.
 static OPEN: AtomicBool = AtomicBool::new(false);
 static CORES: AtomicUsize = AtomicUsize::new(1);
 static PANICKED: AtomicBool = AtomicBool::new(false);
-/// Whether what was started begins while the window waits: no, where the page has to start a worker first.
+/// Whether a started thread begins to run while the window blocks: no, because the page may have to start a worker
+/// first.
 pub const BEGINS_WHILE_WAITED_FOR: bool = false;
-/// The most threads of a pool: each is a worker with a stack of its own.
+/// The most threads of a pool. Each is a worker with its own stack.
 const MOST: usize = 8;
 
 thread_local! {
@@ -38,15 +39,15 @@ pub fn is_page() -> bool {
     !IS_WORKER.get()
 }
 
-/// A thread has panicked: it is gone, with the locks that it held.
+/// Records that a thread has panicked. It no longer exists, and the locks that it held stay locked.
 pub fn note_panic() {
     PANICKED.store(true, Ordering::Release);
 }
 
-/// Panics where another thread has, so that nobody waits for it for ever.
+/// Panics if another thread has panicked, so that nothing waits for that thread for ever.
 ///
 /// # Panics
-/// Where another thread has.
+/// If another thread has panicked.
 pub fn fail_if_panicked() {
     assert!(!PANICKED.load(Ordering::Acquire), "another thread has failed");
 }
@@ -57,12 +58,12 @@ pub fn cores() -> usize {
     CORES.load(Ordering::Relaxed)
 }
 
-/// Says how many threads the machine runs at once.
+/// Sets the number of threads that the machine runs at once.
 pub fn set_cores(cores: usize) {
     CORES.store(cores.clamp(1, MOST), Ordering::Relaxed);
 }
 
-/// Lets workers begin: what they need has arrived.
+/// Lets workers start: the data that they need have arrived.
 pub fn open() {
     OPEN.store(true, Ordering::Release);
     FILLED.notify_all();
@@ -83,13 +84,13 @@ fn put(work: Work) {
     FILLED.notify_one();
 }
 
-/// The number of workers that are wanted beside those that wait.
+/// The number of workers that are needed in addition to the idle ones.
 #[must_use]
 pub fn wanted() -> usize {
     queue().len().saturating_sub(IDLE.load(Ordering::Acquire))
 }
 
-/// What a worker does: one piece of work after the other, without end.
+/// The loop of a worker: does one piece of work after the other, without end.
 pub fn serve() {
     IS_WORKER.set(true);
     loop {
@@ -123,7 +124,7 @@ fn run(thread: rayon::ThreadBuilder) -> io::Result<()> {
 /// A pool of `threads` threads; 0 = as many as there are cores.
 ///
 /// # Errors
-/// Never: the page starts as many workers as are wanted.
+/// Never: the page starts as many workers as are needed.
 pub fn pool(threads: usize) -> Result<ThreadPool, ThreadPoolBuildError> {
     builder(threads).spawn_handler(run).build()
 }
@@ -149,7 +150,7 @@ pub fn set_shared(threads: usize) {
 pub struct JoinHandle<T>(Arc<AtomicBool>, std::marker::PhantomData<T>);
 
 impl<T> JoinHandle<T> {
-    /// Whether it has ended.
+    /// Whether the thread has ended.
     #[must_use]
     pub fn is_finished(&self) -> bool {
         self.0.load(Ordering::Acquire)
@@ -157,7 +158,7 @@ impl<T> JoinHandle<T> {
 }
 
 impl JoinHandle<()> {
-    /// Waits for its end. The page's thread looks again and again.
+    /// Waits for the end of the thread. The page's thread, which cannot block, checks repeatedly.
     ///
     /// # Errors
     /// Never: a thread that panics ends the program.
@@ -179,7 +180,7 @@ pub fn process() -> u32 {
 /// Starts a thread that runs `work`.
 ///
 /// # Errors
-/// Never: the page starts as many workers as are wanted.
+/// Never: the page starts as many workers as are needed.
 pub fn start(_: &str, work: impl FnOnce() + Send + 'static) -> io::Result<JoinHandle<()>> {
     let ended = Arc::new(AtomicBool::new(false));
     let end = Arc::clone(&ended);
@@ -190,7 +191,7 @@ pub fn start(_: &str, work: impl FnOnce() + Send + 'static) -> io::Result<JoinHa
     Ok(JoinHandle(ended, std::marker::PhantomData))
 }
 
-/// Stops this thread for `time`; not the page's.
+/// Stops this thread for `time`. Must not be called on the page's thread.
 pub fn sleep(time: Duration) {
     std::thread::sleep(time);
 }

@@ -1,4 +1,4 @@
-//! The documents in `examples/`: valid, with a handful of marks, and formatted as the program writes them.
+//! The documents in `examples/`: valid, with only a few marks, and formatted as the program writes them.
 
 mod programs;
 
@@ -44,7 +44,7 @@ fn each_document_is_formatted_as_the_program_writes_it() {
 }
 
 #[test]
-fn each_region_holds_a_handful_of_marks() {
+fn each_region_holds_only_a_few_marks() {
     for (path, document) in examples() {
         for index in 0..document.layers.len() {
             let map = region_map(&document, index, "example").expect("its marks make a region map");

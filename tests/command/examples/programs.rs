@@ -19,13 +19,13 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Builds the examples, which `cargo test --workspace` has done already; returns their folder.
+/// Builds the examples (`cargo test --workspace` has built them already); returns their folder.
 fn built() -> PathBuf {
     let test = std::env::current_exe().expect("a test is a file");
     let profile = test.ancestors().nth(2).expect("it is in a folder of its profile");
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| env!("CARGO").into()));
-    // For the whole workspace, as the tests are: without data-gen a package far below the engine has other features, and all
-    // above it would be built once more.
+    // Built for the whole workspace, like the tests. Without data-gen, a dependency of the engine would have other
+    // features, so that everything that uses it would be built again.
     cargo
         .args(["build", "--workspace", "--examples", "--offline", "--locked", "--quiet"])
         .current_dir(root());

@@ -1,4 +1,4 @@
-//! What `dapple check` says of a document is what `dapple grow` does with it, and nothing blank goes without a note.
+//! `dapple check` and `dapple grow` agree on a document, and no picture is blank without a note.
 
 use crate::grow::folder::{Folder, document};
 use serde_json::{Value, json};
@@ -18,7 +18,7 @@ fn field(points: &Value) -> Value {
 }
 
 #[test]
-fn check_refuses_a_small_document_on_which_nothing_but_marks_grows_in_the_words_of_grow() {
+fn check_refuses_a_small_document_that_would_be_all_marks_with_the_message_of_grow() {
     let folder = Folder::with(&covering());
     let said = |arguments: &str| {
         let output = folder.dapple(arguments).assert().code(1).get_output().clone();
@@ -34,7 +34,7 @@ fn check_refuses_a_small_document_on_which_nothing_but_marks_grows_in_the_words_
 }
 
 #[test]
-fn check_refuses_what_does_not_fit_into_memory_with_file_and_layer() {
+fn check_refuses_a_document_that_does_not_fit_into_memory_with_file_and_layer() {
     let dots = json!([{"kind": "ellipse", "center": [5, 5], "radii": [0.01, 0.01], "angle": 0}]);
     let folder = Folder::with(&document([65_536, 65_536], &dots));
     let words = ["a.dapple: layer 1 cannot be grown on this machine", "cells", "GB are free"];

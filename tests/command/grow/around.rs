@@ -1,11 +1,11 @@
-//! Lines around the marks beneath, and as a web between them.
+//! Lines around the marks beneath, and a net between them.
 
 use crate::grow::folder::{AREA, Folder, SPACING, hexagon};
 use dapple::document::Edges;
 use serde_json::{Value, json};
 use std::f64::consts::PI;
 
-/// 150 px of spots, and above them the marks `upper`.
+/// 150 px of spots, with the marks `upper` on a layer above them.
 fn layers(edges: &str, spacing: f64, upper: &[Value]) -> Value {
     let factor = spacing / SPACING;
     let mut strokes = hexagon([75.0, 75.0], 30.0);
@@ -32,7 +32,7 @@ fn net(width: f64) -> Value {
     json!({"strokes": line(width), "after": "net"})
 }
 
-/// Labels at twice the px.
+/// The labels of a picture with twice the px.
 struct Labels {
     side: usize,
     wrap: bool,
@@ -59,7 +59,7 @@ impl Labels {
         })
     }
 
-    /// The connected pieces of the px that `belongs` selects.
+    /// The connected pieces of the px for which `belongs` is true.
     fn pieces(&self, belongs: impl Fn(u8) -> bool) -> Vec<Vec<usize>> {
         let mut seen: Vec<bool> = self.values.iter().map(|value| !belongs(*value)).collect();
         let mut pieces = Vec::new();
@@ -87,12 +87,12 @@ impl Labels {
         !self.wrap && piece.iter().any(on)
     }
 
-    /// Marks of the first layer that do not touch closed edges.
+    /// The marks of the first layer that do not touch closed edges.
     fn marks(&self) -> Vec<Vec<usize>> {
         self.pieces(|value| value == 1).into_iter().filter(|piece| !self.touches_border(piece)).collect()
     }
 
-    /// The share of a mark's outline that has the second layer within 1.5 of its radii.
+    /// The share of the outline of a mark that has the second layer within 1.5 of its radii.
     fn ringed(&self, mark: &[usize]) -> f64 {
         let reach = (1.5 * SCALE * (AREA / PI).sqrt()) as isize;
         let outline: Vec<&usize> =
@@ -111,7 +111,7 @@ impl Labels {
         outline.iter().filter(near).count() as f64 / outline.len() as f64
     }
 
-    /// Whether no px of one of two layers has a neighbour of the other.
+    /// Whether no px of layer `a` has a neighbour of layer `b`.
     fn keeps_apart(&self, a: u8, b: u8) -> bool {
         (0..self.values.len())
             .filter(|px| self.values[*px] == a)
@@ -129,7 +129,7 @@ fn width_is_met(folder: &Folder, layer: usize) {
 }
 
 #[test]
-fn rings_enclose_every_mark_and_touch_none() {
+fn rings_enclose_every_mark_without_touching_it() {
     for edges in ["closed", "wrap"] {
         let (labels, folder) = Labels::grow(&layers(edges, 31.0, &[around(4.0, 0.0)]));
         let marks = labels.marks();
@@ -162,7 +162,7 @@ fn broken_rings_are_open_by_the_requested_share() {
 }
 
 #[test]
-fn a_net_is_one_web_as_wide_as_it_was_drawn() {
+fn a_net_is_connected_and_has_the_drawn_width() {
     for edges in ["closed", "wrap"] {
         for (spacing, width) in [(26.0, 5.0), (34.0, 3.5)] {
             let (labels, folder) = Labels::grow(&layers(edges, spacing, &[net(width)]));
@@ -175,7 +175,7 @@ fn a_net_is_one_web_as_wide_as_it_was_drawn() {
 }
 
 #[test]
-fn a_tile_of_one_spot_has_a_web_too() {
+fn a_tile_with_one_spot_has_a_net_too() {
     let spot = json!([{"kind": "ellipse", "center": [30, 30], "radii": [11, 11]}]);
     let document = json!({"format": "dapple", "version": 1, "size": [60, 60], "edges": "wrap",
         "layers": [{"strokes": spot}, {"strokes": [{"kind": "line", "from": [5, 5], "to": [20, 5], "width": 4}],
@@ -213,7 +213,7 @@ fn the_same_document_has_the_same_bytes_and_another_seed_other_gaps() {
 }
 
 #[test]
-fn spots_find_their_place_between_rosettes() {
+fn spots_grow_between_rosettes() {
     let dots = json!({"strokes": [
         {"kind": "ellipse", "center": [50, 50], "radii": [2, 2]},
         {"kind": "ellipse", "center": [59, 50], "radii": [2, 2]},
@@ -236,7 +236,7 @@ fn rings_without_marks_beneath_are_refused() {
 }
 
 #[test]
-fn rings_and_webs_refuse_what_lines_cannot_have() {
+fn rings_and_nets_refuse_options_that_lines_cannot_have() {
     let spots = json!(hexagon([60.0, 60.0], 30.0));
     for after in ["around", "net"] {
         let document = layers("wrap", 31.0, &[json!({"strokes": spots, "after": after})]);
@@ -259,7 +259,7 @@ fn too_little_room_is_reported_with_the_numbers() {
     for (upper, lines) in [(around(8.0, 0.0), "rings 8.0 px"), (net(12.0), "12.0 px")] {
         let folder = Folder::with(&layers("wrap", 26.0, &[upper]));
         folder.refuses("grow a.dapple -o a.png", 1, &["layer 2", lines, "need", "farther apart"]);
-        // So small a document is grown by check, too.
+        // `check` grows a document as small as this one, too.
         let output = folder.dapple("check a.dapple").assert().code(1).get_output().clone();
         let text = String::from_utf8(output.stdout).unwrap();
         assert!(text.contains(lines) && text.contains("will most likely refuse it"), "{text}");
@@ -267,7 +267,7 @@ fn too_little_room_is_reported_with_the_numbers() {
 }
 
 #[test]
-fn a_web_that_stripes_cut_into_parts_is_refused() {
+fn a_net_that_stripes_would_cut_into_parts_is_refused() {
     let stripes = json!([{"kind": "line", "from": [20, 75], "to": [130, 75], "width": 12}]);
     let document = json!({"format": "dapple", "version": 1, "size": [150, 150], "edges": "wrap",
         "layers": [{"strokes": stripes}, {"strokes": line(3.0), "after": "net"}]});

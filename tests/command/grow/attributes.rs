@@ -39,7 +39,7 @@ fn near(what: &str, error: Option<f64>, tolerance: f64) {
 
 #[test]
 fn spots_keep_the_drawn_area_aspect_angle_and_spacing() {
-    // Turing's spots are close and turn each other slightly.
+    // Turing's spots are close together and turn each other slightly.
     for (system, turned) in [("auto", 2.0), ("turing-spots", 4.0)] {
         for (angle, edges) in
             [(0.0, Edges::Closed), (30.0, Edges::Wrap), (75.0, Edges::Closed), (140.0, Edges::Wrap)]
@@ -117,7 +117,7 @@ fn irregular_spots_differ_in_shape_and_size_but_not_in_their_mean() {
     };
     let [even, half, full] = [0.0, 0.5, 1.0].map(&mut grown);
     assert!(even.0 < 0.1 && (0.1..0.3).contains(&half.0) && (0.3..0.65).contains(&full.0), "{even:?}");
-    // Stripes are bent, but no labyrinth.
+    // The stripes are bent, but they are not a labyrinth.
     assert!((0.95..0.998).contains(&full.1), "{}", full.1);
     assert!(full.2 == grown(1.0).2, "the same document, other bytes");
 }
@@ -148,7 +148,7 @@ fn thin_stripes_are_as_wide_as_drawn_and_stand_as_far_apart_as_their_duty_says()
         near(&format!("{duty}: width"), error.width, 0.01);
         near(&format!("{duty}: wavelength"), error.wavelength, 0.05);
         near(&format!("{duty}: angle"), error.angle, 3.0);
-        // About 240·duty/5 lines cross the canvas: at most about one of them is broken.
+        // About 240·duty/5 lines cross the canvas; at most about one of them is broken.
         let pieces = measure::spots(&pattern, 0.5);
         let lines = 240.0 * duty / 5.0 * (c.abs() + s.abs()) / 20.0;
         assert!((pieces.len() as f64) < 1.5 * lines, "{duty}: {} pieces of {lines} lines", pieces.len());
@@ -183,7 +183,7 @@ fn attributes_change_over_the_canvas_as_drawn() {
     let folder = Folder::with(&document);
     folder.grow("--pattern p.png");
     let spots = measure::spots(&folder.pattern("p.png", Edges::Closed), 0.5);
-    // Beyond the outer regions' centres attributes are constant.
+    // Beyond the centres of the outer regions, attributes are constant.
     let mean = |far: fn(f64) -> bool| {
         let there: Vec<_> = spots.iter().filter(|spot| spot.whole && far(spot.ellipse.center[0])).collect();
         let count = there.len() as f64;
@@ -202,7 +202,7 @@ fn attributes_change_over_the_canvas_as_drawn() {
 }
 
 #[test]
-fn measuring_the_pattern_gives_what_the_report_says() {
+fn measuring_the_pattern_gives_the_numbers_of_the_report() {
     let number = |value: &Value, key: &str| value[key].as_f64().unwrap_or_else(|| panic!("{key} in {value}"));
     let folder = Folder::with(&spots());
     folder.grow("--pattern p.png --report r.json");
@@ -213,7 +213,8 @@ fn measuring_the_pattern_gives_what_the_report_says() {
     assert!((number(&measured, "area") / number(got, "area") - 1.0).abs() < 0.001);
     assert!((number(&measured, "aspect") - number(got, "aspect")).abs() < 0.001);
     assert!(turn(number(&measured, "angle"), number(got, "angle")).abs() < 0.1);
-    // Here an edge is too long compared with the median; in the report compared with what was asked.
+    // Here an edge counts as too long compared with the median; in the report, compared with the spacing that was asked
+    // for.
     assert!((number(&measured, "spacing") / number(got, "spacing") - 1.0).abs() < 0.03);
     let folder = Folder::with(&stripes());
     folder.grow("--pattern p.png --report r.json");
@@ -224,7 +225,7 @@ fn measuring_the_pattern_gives_what_the_report_says() {
     assert!(turn(number(&measured, "angle"), number(&region["got"], "angle")).abs() < 0.1);
 }
 
-/// The value that 98 of 100 do not exceed.
+/// The value that 98 of 100 values do not exceed.
 fn high(mut values: Vec<f32>) -> f32 {
     values.sort_by(f32::total_cmp);
     values[values.len() * 98 / 100]
@@ -248,7 +249,7 @@ fn a_wrapped_texture_has_no_seam() {
         assert!(across_bottom <= 1.25 * inside, "{across_bottom} {inside}");
         let (across_side, inside) = (high((0..h).map(|y| along(w - 1, y)).collect()), inner(&along));
         assert!(across_side <= 1.25 * inside, "{across_side} {inside}");
-        // A closed texture would fail: its left and right borders are independent.
+        // A texture with closed edges would fail: its left and right borders are independent.
         document["edges"] = json!("closed");
         folder.write("a.dapple", &document.to_string());
         folder.grow("--pattern closed.png");

@@ -16,18 +16,18 @@ pub fn on(model: &Value, radius: f64, aspect: f64, angle: f64, spacing: f64) -> 
     json!({"format": "dapple", "version": 2, "size": [220, 200], "model": model, "layers": [{"strokes": spots}]})
 }
 
-/// 60 spots on a small ball.
+/// A document with 60 spots on a small sphere.
 fn ball() -> Value {
     on(&json!({"file": "sphere", "px": 130}), 4.6, 1.0, 0.0, 28.0)
 }
 
-/// The region that a report tells about.
+/// A region of a layer in a report.
 fn region(folder: &Folder, name: &str, index: usize) -> Value {
     folder.json(name)["layers"][0]["regions"][index].clone()
 }
 
 #[test]
-fn spots_on_a_ball_have_the_drawn_area_and_spacing_and_all_that_are_laid_live() {
+fn spots_on_a_sphere_have_the_drawn_area_and_spacing_and_none_of_them_dies() {
     let folder = Folder::with(&ball());
     folder.grow("--report r.json --size 300x200 -q");
     let picture = image::open(folder.path("a.png")).unwrap().to_rgb8();
@@ -38,7 +38,7 @@ fn spots_on_a_ball_have_the_drawn_area_and_spacing_and_all_that_are_laid_live() 
     assert!(region["marks"].as_u64().unwrap() > 40, "{region}");
     let error = |key: &str| region["error"][key].as_f64().unwrap();
     assert!(error("area").abs() < 0.005 && error("spacing").abs() < 0.03, "{region}");
-    assert!(region["area_before_level"].as_f64().unwrap().abs() < 0.03, "{region}");
+    assert!(region["size_before_level"].as_f64().unwrap().abs() < 0.03, "{region}");
     assert!(error("aspect").abs() < 0.03, "{region}");
 }
 
@@ -74,7 +74,7 @@ fn other_readers_open_the_model_with_its_colours() {
 }
 
 #[test]
-fn long_spots_have_the_aspect_and_the_direction_that_are_wanted_where_they_stand() {
+fn long_spots_have_the_aspect_and_the_direction_that_are_asked_for_at_their_places() {
     let model = json!({"file": "cylinder", "px": 200, "along": "y"});
     for angle in [0.0, 40.0] {
         let folder = Folder::with(&on(&model, 4.6, 0.5, angle, 28.0));
@@ -112,7 +112,7 @@ fn pins_hold_regions_at_their_places() {
 }
 
 #[test]
-fn a_model_from_a_file_is_grown_on_and_parts_that_are_not_named_pass_through() {
+fn a_model_from_a_file_is_grown_on_and_parts_that_are_not_named_are_copied() {
     let mut document = on(&json!({"file": "two.obj", "px": 120, "only": ["skin"]}), 4.0, 1.0, 0.0, 26.0);
     document["layers"][0]["strokes"]
         .as_array_mut()
@@ -131,9 +131,9 @@ fn a_model_from_a_file_is_grown_on_and_parts_that_are_not_named_pass_through() {
     let claw = model.meshes().flat_map(|mesh| mesh.primitives()).nth(1).expect("a claw");
     assert_eq!(claw.material().name(), Some("horn"));
     let uvs = claw.reader(|buffer| Some(&buffers[buffer.index()])).read_tex_coords(0).expect("coordinates");
-    // From the upper left corner there.
+    // Measured from the upper left corner of that part.
     assert_eq!(uvs.into_f32().nth(2), Some([0.5, 0.75]));
-    // What was written can be grown on again.
+    // The written model can be grown on again.
     document["model"]["only"] = json!(["grown"]);
     folder.write("b.dapple", &document.to_string());
     folder.dapple("grow b.dapple -o b.png --model a.glb --size 64x64 -q").assert().success();
@@ -144,7 +144,7 @@ fn a_model_from_a_file_is_grown_on_and_parts_that_are_not_named_pass_through() {
 }
 
 #[test]
-fn check_says_what_will_grow_on_a_model_and_refuses_what_will_not() {
+fn check_lists_what_will_grow_on_a_model_and_refuses_what_cannot() {
     let folder = Folder::with(&ball());
     let output = folder.dapple("check a.dapple").assert().success().get_output().clone();
     let text = String::from_utf8(output.stdout).unwrap();
@@ -153,13 +153,17 @@ fn check_says_what_will_grow_on_a_model_and_refuses_what_will_not() {
         "{text}"
     );
     let mut document = ball();
-    document["layers"][0]["system"] = json!("turing-spots");
+    document["layers"][0]["system"] = json!("cells");
     folder.write("a.dapple", &document.to_string());
-    folder.refuses("grow a.dapple -o a.png", 1, &["layers[0].system: found \"turing-spots\" on a model"]);
+    folder.refuses(
+        "grow a.dapple -o a.png",
+        1,
+        &["layers[0].system: found \"cells\" on a model", "turing-spots"],
+    );
     document = ball();
-    document["layers"][0]["strokes"] = json!([{"kind": "line", "from": [10, 10], "to": [90, 60]}]);
+    document["layers"][0]["options"] = json!({"ragged": 0.2});
     folder.write("a.dapple", &document.to_string());
-    folder.refuses("grow a.dapple -o a.png", 1, &["layers[0].strokes: found lines or paths on a model"]);
+    folder.refuses("grow a.dapple -o a.png", 1, &["layers[0].options.ragged: found \"ragged\" on a model"]);
     document = ball();
     document["model"]["px"] = json!(60_000);
     folder.write("a.dapple", &document.to_string());

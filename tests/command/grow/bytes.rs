@@ -1,4 +1,4 @@
-//! The same document and seed give the same bytes, another seed gives others.
+//! Checks that one document and seed always give the same bytes, and that another seed gives other bytes.
 
 use crate::grow::folder::{ASPECT, Folder, hexagon, spots, stripes};
 use serde_json::{Value, json};
@@ -68,7 +68,7 @@ fn a_seed_changes_the_texture_and_defaults_to_that_of_the_document() {
     }
 }
 
-/// The repository's sets, in the folder's `training`.
+/// Copies the training sets of the repository into the folder `training`.
 fn copy_training(folder: &Folder) {
     std::fs::create_dir(folder.path("training")).unwrap();
     let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("training");
@@ -113,7 +113,7 @@ fn a_folder_of_training_sets_replaces_the_built_in_ones() {
     };
     assert!((predicted("built_in.json", "") - ASPECT).abs() < 0.02);
     assert!(predicted("own.json", "--training my-sets") < 0.46);
-    // Missing sets are not taken from elsewhere.
+    // Missing sets are not replaced by the built-in ones.
     folder.refuses(
         "lookup --system turing-spots --area 60 --aspect 0.6 --angle 0 --training my-sets",
         1,

@@ -1,4 +1,4 @@
-//! Cells: as large, long, turned and far apart as they were drawn, and drawn outlines among them.
+//! Cells have the size, shape, direction and distance that were drawn, and drawn outlines are cells among them.
 
 use serde_json::{Value, json};
 
@@ -37,7 +37,7 @@ fn cells_have_the_drawn_area_aspect_direction_and_lines() {
         assert_eq!(found["system"], "cells");
         let region = &found["regions"][0];
         let [area, aspect, _, gap] = wanted;
-        // About as many as fit, cut ones at closed edges not counted.
+        // About as many cells as fit; cells that a closed edge cuts are not counted.
         let cell = (area.sqrt() + 0.93 * gap).powi(2);
         let fit = f64::from(size[0] * size[1]) / cell;
         let marks = number(region, "marks");
@@ -86,7 +86,7 @@ fn drawn_outlines_are_cells_among_the_others() {
             let [asked, got] = ["asked", "got"].map(|key| number(&mark[key], "area"));
             assert!((got / asked - 1.0).abs() < 0.06, "{mark}");
         }
-        // The lines are as wide as the drawn outlines are apart: 10 to 16 px.
+        // The lines are as wide as the gaps between the drawn outlines: 10 to 16 px.
         assert!((9.0..17.0).contains(&number(&found["gap"], "asked")), "{}", found["gap"]);
         assert!(number(&found["regions"][0]["error"], "area").abs() < 0.05, "{}", found["regions"][0]);
     }
@@ -108,7 +108,7 @@ fn lines_are_as_wide_on_a_larger_canvas() {
 
 #[test]
 fn a_line_drawn_beside_the_ellipses_gives_the_lines_between_cells_their_width() {
-    // 6 px apart, and a line and a freehand stroke of 8 and 10 px.
+    // The ellipses are 6 px apart; the line is 8 px wide, the freehand stroke 10 px.
     let ellipses = [ellipse([90.0, 90.0], [18.0, 15.0], 0.0), ellipse([132.0, 90.0], [18.0, 15.0], 0.0)];
     let stroke: Vec<[f64; 2]> = (0..12).map(|k| [30.0 + 8.0 * f64::from(k), 150.0]).collect();
     let lines = [
@@ -129,11 +129,11 @@ fn a_line_drawn_beside_the_ellipses_gives_the_lines_between_cells_their_width() 
     let got = number(&found["gap"], "got");
     assert!((got / 9.0 - 1.0).abs() < 0.1, "{got}");
     assert!(number(&found["regions"][0]["error"], "area").abs() < 0.05, "{found}");
-    // The cells that are kept stay the strokes that they are.
+    // The cells that are kept are the drawn strokes.
     let marks: Vec<&Value> =
         found["drawn"].as_array().expect("marks").iter().map(|mark| &mark["mark"]).collect();
     assert_eq!(marks, [2, 3]);
-    // The option goes before.
+    // The option takes precedence.
     document["layers"][0]["options"] = json!({"gap": 5});
     let found = layer(&Folder::with(&document), "");
     assert_eq!(number(&found["gap"], "asked"), 5.0);
@@ -155,7 +155,7 @@ fn a_closed_freehand_stroke_is_a_cell_as_the_pen_drew_it() {
     assert!(mark["there"] == true && number(mark, "off") < 0.08, "{mark}");
     let ([width, _], values) = folder.gray16("p.png");
     let is_cell = |x: usize, y: usize| values[y * width + x] >= 32_768;
-    // Up to the flat end at x = 170, and no farther, as the ellipse of the same moments would.
+    // The cell reaches the flat end at x = 170 and no farther; the ellipse with the same moments would.
     assert!(is_cell(166, 150) && is_cell(166, 128) && !is_cell(174, 150), "not the flat end");
 }
 
@@ -204,11 +204,11 @@ fn the_number_of_threads_of_the_computer_changes_no_byte_of_cells() {
 }
 
 #[test]
-fn what_cells_cannot_be_is_told_with_the_reason() {
+fn what_cells_cannot_have_is_reported_with_the_reason() {
     let lines = json!({"format": "dapple", "version": 2, "size": [200, 200],
         "layers": [{"system": "cells", "strokes": [{"kind": "line", "from": [10, 10], "to": [60, 10]}]}]});
     Folder::with(&lines).refuses("check a.dapple", 1, &["layers[0].system", "spots", "lines"]);
-    // A line beside the ellipses is for cells alone.
+    // A line beside the ellipses is allowed for cells only.
     let mut both = lines;
     both["layers"][0]["strokes"].as_array_mut().expect("strokes").push(ellipse(
         [100.0, 90.0],
@@ -226,7 +226,7 @@ fn what_cells_cannot_be_is_told_with_the_reason() {
     Folder::with(&spots).refuses("check a.dapple", 1, &["layers[0].options.ragged", "patches"]);
     spots["layers"][0]["options"] = json!({"gap": 0.2});
     Folder::with(&spots).refuses("check a.dapple", 1, &["layers[0].options.gap", "1 to 1000 px"]);
-    // Lines that leave no room are made thinner, which is told.
+    // Lines that leave no room are made thinner, and a note says so.
     spots["layers"][0]["options"] = json!({"gap": 15});
     let folder = Folder::with(&spots);
     let output = folder.dapple("check a.dapple").assert().success().get_output().clone();

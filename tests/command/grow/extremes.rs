@@ -1,11 +1,11 @@
-//! Documents at the limits of what may be asked: which of them grow, and which are refused.
+//! Documents at the limits of what is allowed: which of them grow, and which are refused.
 
 use std::time::Duration;
 
 use crate::grow::folder::{Folder, document};
 use serde_json::{Value, json};
 
-/// Asserts that it grows within two minutes to a picture of the right size.
+/// Asserts that `document` grows within two minutes to a picture of the right size.
 #[track_caller]
 fn grows(document: &Value) {
     let folder = Folder::with(document);
@@ -20,13 +20,13 @@ fn grows(document: &Value) {
     assert!(folder.json("r.json")["layers"][0]["steps"].as_u64().unwrap() > 0);
 }
 
-/// Asserts that it is refused with one line that has these words, and that no file is left.
+/// Asserts that `document` is refused with a message of one line that contains these words, and that no file is left.
 #[track_caller]
 fn is_refused(document: &Value, words: &[&str]) {
     Folder::with(document).refuses("grow a.dapple -o a.png --pattern p.png --report r.json", 1, words);
 }
 
-/// Asserts that it grows, or is refused for this reason.
+/// Asserts that `document` grows, or is refused for this reason.
 #[track_caller]
 fn grows_or_is_refused(document: &Value, reason: &str) {
     let folder = Folder::with(document);
@@ -51,7 +51,7 @@ fn marks_as_large_as_the_canvas_grow_and_those_that_leave_no_ground_are_refused(
     for edges in ["closed", "wrap"] {
         let mut line_of_60 = document([100, 60], &line([0.0, 0.0], [100.0, 60.0], 60.0));
         line_of_60["edges"] = json!(edges);
-        // A period of the stripes is twice as long as the side.
+        // A period of the stripes is twice as long as the side of the canvas.
         if edges == "closed" {
             grows(&line_of_60);
         } else {
@@ -59,7 +59,7 @@ fn marks_as_large_as_the_canvas_grow_and_those_that_leave_no_ground_are_refused(
         }
         let mut across = document([100, 100], &ellipse([1.0, 99.0], [100.0, 25.0]));
         across["edges"] = json!(edges);
-        // On a tile it meets itself.
+        // On a seamless canvas the mark meets itself.
         if edges == "closed" {
             grows(&across);
         } else {

@@ -1,4 +1,4 @@
-//! Free marks: what grows far from a mark stays where it is while that one is moved.
+//! Free marks: when a mark is moved, spots far from it stay in their places.
 
 use dapple::document::{Document, Layer, Stroke};
 use dapple::editor::selection::{Place, Selection};
@@ -7,10 +7,11 @@ use dapple_engine::attributes::free::far_spacing;
 use dapple_engine::measure::Spot;
 use dapple_engine::synth::{Growth, Options};
 
-/// √(r₁r₂) of the marks of [`scattered`], px.
+/// Mean radius √(r₁r₂) of the marks of [`scattered`], px.
 const RADIUS: f64 = 7.6;
 
-/// Marks drawn as by hand, some 44 px apart, four in a row: no two distances, sizes and directions are alike.
+/// Marks like those of a drawing by hand, about 44 px apart, four in a row, with different distances, sizes and
+/// directions.
 fn scattered(count: usize) -> Document {
     let off = |k: usize, step: f64| 2.0 * (step * k as f64).fract() - 1.0;
     let stroke = |k: usize| {
@@ -23,7 +24,7 @@ fn scattered(count: usize) -> Document {
     Document::new([512, 512]).with_layer(Layer::new((0..count).map(stroke)))
 }
 
-/// Of the spots of `before` farther than five distances from a drawn mark, the share that is there once this is moved.
+/// The share of the spots of `before`, farther than five spacings from the moved mark, that are still there in `after`.
 fn share_that_stays(before: &Document, after: &Document, moved: usize) -> f64 {
     let [spots, now] = [before, after].map(|document| {
         let grown = Growth::begin(document, &Options::default(), None).run().unwrap();
@@ -55,7 +56,7 @@ fn spots_far_from_a_mark_that_is_moved_stay_where_they_are() {
 }
 
 #[test]
-fn far_spots_keep_their_distance_in_the_window_where_the_marks_alone_would_want_another() {
+fn in_the_window_far_spots_keep_their_spacing_where_the_marks_alone_would_change_it() {
     let before = scattered(8);
     let wanted = |document: &Document, before: Option<f64>| {
         let strokes = document.layers[0].strokes.iter();

@@ -1,4 +1,4 @@
-//! A temporary folder for each test, with documents, and dapple run on them.
+//! A temporary folder with documents for each test, in which dapple is run.
 
 use assert_cmd::Command;
 use dapple_engine::grid::{Edges, Field};
@@ -122,7 +122,7 @@ pub fn document(size: [u32; 2], strokes: &Value) -> Value {
     json!({"format": "dapple", "version": 1, "size": size, "layers": [{"strokes": strokes}]})
 }
 
-/// An ellipse and its six neighbours, all alike: area [`AREA`], aspect [`ASPECT`], [`SPACING`] apart.
+/// An ellipse and its six neighbours, all equal: area [`AREA`], aspect [`ASPECT`], [`SPACING`] apart.
 pub fn hexagon([x, y]: [f64; 2], angle: f64) -> Vec<Value> {
     let half = SPACING / 2.0;
     let row = SPACING * 0.75_f64.sqrt();
@@ -132,12 +132,12 @@ pub fn hexagon([x, y]: [f64; 2], angle: f64) -> Vec<Value> {
     places.map(ellipse).to_vec()
 }
 
-/// 128 × 128 px of long spots at 30°.
+/// A document of 128 × 128 px with long spots at 30°.
 pub fn spots() -> Value {
     document([128, 128], &json!(hexagon([60.0, 60.0], 30.0)))
 }
 
-/// Two lines of width 6 at 27° and 33°.
+/// A document with two lines of width 6 at 27° and 33°.
 pub fn stripes() -> Value {
     let line = |degrees: f64| {
         let (sin, cos) = degrees.to_radians().sin_cos();

@@ -1,4 +1,4 @@
-//! Free marks: what was drawn grows where it was drawn, and goes on between and beyond the marks.
+//! Free marks: a drawn mark grows where it was drawn, and the texture continues between and beyond the marks.
 
 use dapple::document::{Document, Layer, Stroke};
 use dapple_engine::attributes::Attributes;
@@ -22,7 +22,8 @@ fn grown(strokes: Vec<Stroke>) -> (Grown, Vec<DrawnMark>) {
     (grown, drawn)
 }
 
-/// Every mark is there, at most `off` of its radius from its place, with its area and aspect to these shares.
+/// Asserts that every mark is there, at most `off` of its radius from its place, with its area and aspect within these
+/// shares.
 fn assert_there(marks: &[DrawnMark], count: usize, off: f64, area: f64, aspect: f64) {
     assert_eq!(marks.len(), count);
     for mark in marks {
@@ -45,7 +46,7 @@ fn each_ellipse_of_an_array_is_there_with_its_size_and_shape() {
 }
 
 #[test]
-fn rows_of_long_ellipses_drawn_end_to_end_grow_whole() {
+fn rows_of_long_ellipses_drawn_end_to_end_all_grow() {
     let long = |k: usize| {
         let place = [40.0 + 50.0 * (k % 8) as f64, 40.0 + 60.0 * (k / 8) as f64];
         Stroke::ellipse(place, [20.0, 6.0], 0.0)
@@ -55,7 +56,7 @@ fn rows_of_long_ellipses_drawn_end_to_end_grow_whole() {
 }
 
 #[test]
-fn a_spot_drawn_narrower_than_any_that_grow_is_not_two_side_by_side() {
+fn a_spot_drawn_narrower_than_possible_does_not_become_two_spots() {
     let narrow = |minor| {
         [
             Stroke::ellipse([20.0, 60.0], [40.0, minor], 90.0),
@@ -78,7 +79,7 @@ fn ellipses_in_a_ring_keep_their_places_and_the_others_follow_the_ring() {
     };
     let (grown, marks) = grown((0..12).map(ellipse).collect());
     assert_there(&marks, 12, 0.2, 0.05, 0.05);
-    // Outside of the ring, where it is still near, the spots lie along circles.
+    // Outside the ring, but still close to it, the spots lie along circles.
     let spots = grown.layers[0].marks().expect("marks").measured.spots().iter().filter(|spot| spot.whole);
     let ring = spots.filter(|spot| {
         let [x, y] = [0, 1].map(|axis| spot.ellipse.center[axis] - 256.0);
@@ -108,7 +109,7 @@ fn ellipses_of_aspect_0_15_at_any_angle_are_there_with_their_shape() {
     }
 }
 
-/// How far area (as a share), aspect and direction (degrees) of a mark are from what was drawn.
+/// The differences of area (relative), aspect and direction (degrees) between a grown mark and the drawn one.
 fn errors(mark: &DrawnMark) -> [f64; 3] {
     let (Some(Attributes::Spots(asked)), Some(Attributes::Spots(got))) = (mark.asked, mark.got) else {
         panic!("{mark:?}");
@@ -213,7 +214,7 @@ fn strokes_round_a_centre_do_not_drift_outwards() {
 }
 
 #[test]
-fn a_spot_among_dots_of_a_twentieth_of_its_area_keeps_its_size_and_so_do_they() {
+fn a_spot_and_the_dots_around_it_of_a_twentieth_of_its_area_keep_their_sizes() {
     let dots = (0..36).map(|k| [71.0 + 74.0 * (k % 6) as f64, 71.0 + 74.0 * (k / 6) as f64]);
     let away = |[x, y]: &[f64; 2]| (x - 256.0).hypot(y - 256.0) > 80.0;
     let dots = dots.filter(away).map(|place| Stroke::ellipse(place, [9.0, 9.0], 0.0));
@@ -250,13 +251,13 @@ fn a_narrow_spot_across_the_others_does_not_split() {
     let grown = Growth::begin(&document, &Options::default(), None).run().unwrap();
     let drawn = report(&document, "free", &grown, 0.0).layers.remove(0).drawn;
     assert_there(&drawn, 6, 0.2, 0.1, 0.12);
-    // Its halves stood above and below it.
+    // Its two halves had grown above and below it.
     let near = |spot: &&Spot| (spot.ellipse.center[0] - 120.0).abs() < 30.0;
     let spots = grown.layers[0].marks().expect("marks").measured.spots();
     assert_eq!(spots.iter().filter(|spot| spot.whole).filter(near).count(), 2, "{spots:?}");
 }
 
-/// The spots between these, which differ much in size and direction, grow together at first.
+/// The spots between these marks, which differ much in size and direction, grow together at first.
 #[test]
 fn spots_that_grew_together_are_separated() {
     let marks = [
@@ -284,7 +285,7 @@ fn spots_that_grew_together_are_separated() {
 }
 
 #[test]
-fn marks_drawn_over_each_other_leave_the_others_apart() {
+fn marks_drawn_over_each_other_do_not_make_the_others_grow_together() {
     let place = |k: usize| {
         [110.0 + 140.0 * (k / 2 % 3) as f64 + 12.0 * (k % 2) as f64, 110.0 + 140.0 * (k / 6) as f64]
     };
@@ -292,14 +293,14 @@ fn marks_drawn_over_each_other_leave_the_others_apart() {
     assert_eq!(merged(&document), 0);
 }
 
-/// Grown marks that are two.
+/// The number of grown marks that are two in one.
 fn merged(document: &Document) -> usize {
     let grown = Growth::begin(document, &Options::default(), None).run().unwrap();
     report(document, "free", &grown, 0.0).layers[0].regions[0].merged.unwrap()
 }
 
 #[test]
-fn a_drawn_spot_grows_where_one_that_was_not_drawn_leaves_it_too_little_room() {
+fn a_drawn_spot_takes_the_place_of_one_that_was_not_drawn() {
     let drawn = [
         (270.8, 357.0, 21.3, 18.1, 85.0),
         (274.3, 441.5, 9.1, 8.6, 77.0),
@@ -323,7 +324,7 @@ fn a_drawn_spot_grows_where_one_that_was_not_drawn_leaves_it_too_little_room() {
 }
 
 #[test]
-fn of_two_drawn_spots_the_one_that_dies_beside_the_other_grows_when_both_begin_together() {
+fn a_drawn_spot_that_dies_beside_another_one_grows_when_both_start_together() {
     let drawn = [
         (472.4, 321.6, 10.5, 9.9, 46.0),
         (9.0, 429.1, 12.2, 8.9, 53.0),

@@ -6,14 +6,14 @@ use serde_json::{Value, json};
 
 use crate::grow::folder::{Folder, document};
 
-/// A slope of 1 along x: as high at the right of 240 px as the canvas is wide.
+/// Writes a picture of a slope of 1 along x: 240 px high at the right edge of a canvas of 240 px.
 fn slope(folder: &Folder) {
     let heights =
         ImageBuffer::from_fn(240, 20, |x, _| Luma([(65_535.0 * (f64::from(x) + 0.5) / 240.0) as u16]));
     heights.save(folder.path("slope.png")).unwrap();
 }
 
-/// Round spots of 141 px², 28 px apart, on heights.
+/// A document with round spots of 141 px², 28 px apart, on heights.
 fn spots(model: &Value) -> Value {
     let at = |row: u32, column: u32| {
         let x = 60.0 + 28.0 * (f64::from(column) + 0.5 * f64::from(row % 2));
@@ -71,7 +71,7 @@ fn stripes_across_a_slope_are_narrower_on_the_map() {
         let folder = Folder::with(&document);
         slope(&folder);
         folder.grow("--pattern p.png -q");
-        // Either phase can be the narrower one that is measured: the share of ink tells which is meant.
+        // The measurement takes the narrower phase as the stripes; the share of ink shows which phase that is.
         let ink = folder.pattern("p.png", Edges::Closed).values;
         let share = ink.iter().map(|value| f64::from(*value)).sum::<f64>() / ink.len() as f64;
         share * folder.measured("p.png")["wavelength"].as_f64().expect("stripes")
@@ -81,7 +81,7 @@ fn stripes_across_a_slope_are_narrower_on_the_map() {
 }
 
 #[test]
-fn heights_that_are_missing_and_layers_that_do_not_grow_on_them_are_refused_by_check_and_grow() {
+fn missing_heights_and_layers_that_cannot_grow_on_them_are_refused_by_check_and_grow() {
     let folder = Folder::with(&spots(&json!({"height": "none.png", "scale": 240})));
     for command in ["check a.dapple", "grow a.dapple -o a.png -q"] {
         folder.refuses(command, 1, &["a.dapple", "model.height", "none.png", "beside the document"]);

@@ -1,4 +1,4 @@
-//! A layer inside another: the other is neither painted nor labelled; all commands report sparse spots.
+//! A layer inside another one: the lower one is neither painted nor labelled. All commands report sparse spots.
 
 use crate::grow::folder::{Folder, document};
 use dapple::document::Edges;
@@ -32,7 +32,7 @@ fn the_layer_that_gives_the_places_is_neither_painted_nor_labelled() {
     let picture = image::open(folder.path("a.png")).unwrap().into_rgb8();
     let black_or_white = |px: &image::Rgb<u8>| px.0 == [0; 3] || px.0 == [255; 3];
     assert!(picture.pixels().all(black_or_white));
-    // The pattern of that layer alone can still be written.
+    // The pattern of that layer can still be written separately.
     let large = dapple_engine::measure::spots(&folder.pattern("p.png", Edges::Wrap), 0.5);
     let report = folder.json("r.json");
     assert_eq!(report["layers"][0]["shown"], json!(false));

@@ -5,10 +5,10 @@ use crate::grow::running::Running;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// Time limit, so that a program that hangs fails the test.
+/// Time limit: a program that does not end fails the test.
 const DEADLINE: Duration = Duration::from_secs(60);
 
-/// Time between two looks at how far it is.
+/// Time between two checks of the progress.
 const BETWEEN: Duration = Duration::from_millis(2);
 
 fn start(folder: &Folder, arguments: &str) -> Running {
@@ -30,7 +30,7 @@ fn wait_until(running: &Running, mut so_far: impl FnMut(u32) -> bool) {
 /// Sends Ctrl-C, waits for the end, and returns exit code and message.
 #[track_caller]
 fn interrupt(mut running: Running) -> (Option<i32>, String) {
-    // The `kill` built into the shell, as the program may be missing.
+    // The `kill` that is built into the shell, because the program of that name may be missing.
     let sent =
         Command::new("sh").args(["-c", &format!("kill -INT {}", running.child.id())]).status().unwrap();
     assert!(sent.success());
@@ -42,14 +42,15 @@ fn interrupt(mut running: Running) -> (Option<i32>, String) {
     (output.status.code(), String::from_utf8(output.stderr).unwrap())
 }
 
-/// Whether the program has set its handler and then worked for a while; only Linux shows this.
+/// Whether the program has set its handler and then worked for a while. Only Linux reports this.
 #[cfg(target_os = "linux")]
 fn is_growing(id: u32) -> bool {
     let read = |name: &str| std::fs::read_to_string(format!("/proc/{id}/{name}")).unwrap_or_default();
     let status = read("status");
     let caught = status.lines().find_map(|line| line.strip_prefix("SigCgt:"));
     let caught = caught.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or(0);
-    // Fields after the program's name in brackets; the twelfth is the time worked, in hundredths of a second.
+    // Fields after the name of the program, which is in brackets. The twelfth is the CPU time, in hundredths of a
+    // second.
     let stat = read("stat");
     let worked =
         stat.rsplit(')').next().and_then(|rest| rest.split_whitespace().nth(11)?.parse::<u64>().ok());
@@ -69,7 +70,7 @@ fn an_interrupted_growth_leaves_nothing_behind() {
     assert_eq!(folder.names(), ["a.dapple"]);
 }
 
-/// Planning a large canvas checks no flag for long.
+/// The planning of a large canvas runs for long without checking the flag.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_growth_that_is_interrupted_while_it_is_planned_ends_too() {
@@ -80,7 +81,7 @@ fn a_growth_that_is_interrupted_while_it_is_planned_ends_too() {
     assert_eq!(folder.names(), ["a.dapple"]);
 }
 
-/// Whether the folder holds so many unfinished files.
+/// Whether the folder holds this number of unfinished files.
 fn is_writing(folder: &Folder, files: usize) -> bool {
     folder.names().iter().filter(|name| name.ends_with(".part")).count() >= files
 }

@@ -1,4 +1,4 @@
-//! Drawn marks that are kept grow where they were drawn.
+//! Drawn marks that are kept grow at the places where they were drawn.
 
 use crate::grow::folder::{Folder, document};
 use dapple::WriteFile;
@@ -28,12 +28,12 @@ fn grown(document: &Document) -> GrownMarks {
         .expect("spots or stripes")
 }
 
-/// How far pinned spots are from the nearest grown ones, ÷ their radius.
+/// Distances of the pinned spots from the nearest grown ones, in radii.
 fn off(grown: &GrownMarks) -> Vec<f64> {
     distances(grown.corrections.pinned_spots(), grown.plan.lookup.map.layout(), grown.measured.spots())
 }
 
-/// Ten spots as a user draws them: uneven, of several sizes, two of them cut by the edge.
+/// Ten spots like those that a user draws: uneven, of several sizes, two of them cut by the edge.
 fn drawn() -> Vec<Ellipse> {
     let ellipse =
         |x: f64, y: f64, r: f64, q: f64, angle: f64| Ellipse { center: [x, y], radii: [r, q], angle };
@@ -81,7 +81,7 @@ fn each_kept_spot_grows_in_its_place_with_its_size_and_direction() {
             assert!((found.aspect() - mark.aspect()).abs() < 0.06, "{mark:?} grew as {found:?}");
             turned.push(turn(found.major_angle(), mark.angle).abs());
         }
-        // Crowded marks are smaller than they were drawn.
+        // Crowded marks are smaller than drawn.
         let mean = grown.iter().sum::<f64>() / grown.len() as f64;
         assert!(mean < 0.1 && grown.iter().all(|off| *off < 0.25), "{edges:?}: areas off by {grown:?}");
         // Neighbours turn some marks by up to 7°.
@@ -103,9 +103,9 @@ fn a_region_with_kept_marks_has_the_drawn_attributes() {
 }
 
 #[test]
-fn marks_too_near_to_each_other_are_counted_and_as_many_stay_as_can() {
+fn marks_too_close_together_are_counted_and_as_many_as_possible_stay() {
     let mut marks = drawn();
-    // One between two neighbours, so that it alone is not kept; and one nearly on another.
+    // One mark lies between two neighbours, so that only this mark is not kept; another lies nearly on a drawn one.
     marks.push(Ellipse { center: [74.0, 71.0], ..marks[5] });
     marks.push(Ellipse { center: [168.0, 108.0], ..marks[5] });
     let document = Document { edges: Edges::Wrap, ..one_layer(&marks, Edges::Wrap) };
@@ -167,7 +167,7 @@ fn a_mark_drawn_on_one_of_a_layer_beneath_is_not_kept_and_reported() {
 }
 
 #[test]
-fn kept_marks_grow_the_same_again_and_on_one_thread() {
+fn kept_marks_grow_equal_again_and_on_one_thread() {
     let folder = Folder::new();
     one_layer(&drawn(), Edges::Closed).write(folder.path("a.dapple")).unwrap();
     folder.grow("--pattern p.png");
@@ -189,7 +189,7 @@ fn lined(regions: [u32; 2], keeps: Option<bool>) -> Document {
     Document { size: [300, 240], regions: Some(regions), layers, ..Document::default() }
 }
 
-/// The share of each line of `document` that lies in a stripe of `layer`.
+/// For each line of `document`, the share of it that lies in a stripe of `layer`.
 fn in_stripes(document: &Document, layer: &GrownMarks) -> Vec<f64> {
     let marks = dapple_engine::synth::drawn::sketch_targets::marks(document, 0, "test").unwrap();
     let [width, height] = document.size.map(|side| side as usize);
@@ -200,7 +200,7 @@ fn in_stripes(document: &Document, layer: &GrownMarks) -> Vec<f64> {
 }
 
 #[test]
-fn drawn_lines_lie_in_stripes_and_the_directions_are_no_worse_for_it() {
+fn drawn_lines_lie_in_stripes_and_directions_do_not_become_worse() {
     let rms = |layer: &GrownMarks| {
         let Measured::Stripes(errors) = &layer.measured else { panic!("lines were drawn") };
         errors.iter().map(|error| error.angle_rms.unwrap()).sum::<f64>() / errors.len() as f64
@@ -235,8 +235,8 @@ fn lines_that_no_stripes_can_follow_are_reported() {
     assert!(kept["off"].as_u64().unwrap() >= 1, "{kept}");
 }
 
-/// The distances of grown `marks` from their places, among spots of 300 px² with this density and aspect, at 30°, on a canvas
-/// of 12 spacings.
+/// Distances of the grown `marks` from their places, among spots of 300 px² with this density and aspect at 30°, on a
+/// canvas of 12 spacings.
 fn among(
     system: SystemChoice,
     packing: f64,
@@ -269,7 +269,7 @@ fn among(
     off(&grown)
 }
 
-/// Nine pairs at this distance in spacings, along or across.
+/// Nine pairs whose marks are `apart` spacings from each other, along or across the marks.
 fn pairs(aspect: f64, apart: f64, across: bool) -> impl Fn(f64) -> Vec<Mark> {
     let longer = if across { 1.0 / aspect } else { aspect };
     let (s, c) = (if across { 120.0f64 } else { 30.0 }).to_radians().sin_cos();

@@ -1,19 +1,19 @@
-//! What a document needs is known before it grows: what takes more memory or time than there is, is refused by `check` and `grow` alike, and
-//! nothing aborts.
+//! The memory and time that a document needs are known before it grows. Too much of either is refused by `check` and
+//! `grow` alike, and nothing aborts.
 
 use std::time::Duration;
 
 use crate::grow::folder::{Folder, document};
 use serde_json::{Value, json};
 
-/// Address space that is allowed, kB.
+/// The address space that the program may use, kB.
 const MEMORY: u32 = 2_000_000;
 
-/// Runs `dapple` with that much address space; returns the exit code and stderr.
+/// Runs `dapple` with this limit of the address space; returns the exit code and stderr.
 #[track_caller]
 fn limited(folder: &Folder, arguments: &str) -> (Option<i32>, String) {
     let program = assert_cmd::cargo::cargo_bin!("dapple").display().to_string();
-    // The limit of the address space is the process's own.
+    // This limit of the address space is for the process alone.
     let limit = if cfg!(target_os = "linux") { format!("ulimit -v {MEMORY};") } else { String::new() };
     let mut command = assert_cmd::Command::new("sh");
     command.args(["-c", &format!("{limit} exec '{program}' {arguments}")]).current_dir(folder.path(""));
@@ -21,7 +21,7 @@ fn limited(folder: &Folder, arguments: &str) -> (Option<i32>, String) {
     (output.status.code(), String::from_utf8(output.stderr).unwrap())
 }
 
-/// Asserts that `check` and `grow` refuse it with one line that has these words.
+/// Asserts that `check` and `grow` refuse `document` with one line that contains these words.
 #[track_caller]
 fn is_refused(document: &Value, words: &[&str]) {
     let folder = Folder::with(document);
@@ -36,7 +36,7 @@ fn is_refused(document: &Value, words: &[&str]) {
     assert_eq!(folder.names(), ["a.dapple"]);
 }
 
-/// Asserts that `check` accepts it and `grow` grows it.
+/// Asserts that `check` accepts `document` and `grow` grows it.
 #[track_caller]
 fn grows(document: &Value) {
     let folder = Folder::with(document);
@@ -79,7 +79,8 @@ fn noise_far_larger_than_a_tile_grows() {
 
 #[test]
 fn points_of_very_different_distances_are_refused_where_they_do_not_fit_into_memory() {
-    // Beyond closed edges the frame is as wide as the largest distances, and is filled with points of the smallest.
+    // Beyond closed edges, the frame is as wide as the largest distances, and is filled with points at the smallest
+    // ones.
     let points = json!({"distance": [2, 100_000], "octaves": 8, "labels": {"kind": "space-giraffe", "rays": [60, 60]}});
     let mut field = on_tile([185, 191], &json!({"system": "points", "strokes": [], "points": points}));
     field["edges"] = json!("closed");
@@ -130,7 +131,7 @@ fn lines_that_differ_too_much_in_width_are_refused_with_the_time_that_they_would
     );
 }
 
-/// A maze of lines of a quarter and of a hundredth of a px.
+/// A maze with lines of a quarter of a px and of a hundredth of a px.
 fn fine_maze() -> Value {
     let strokes = json!([line([0.0, 1.7], [0.8, 1.7], 0.25), line([0.4, 2.8], [0.4, 2.9], 0.01)]);
     let mut maze = document([4, 3], &strokes);
@@ -145,7 +146,7 @@ fn a_maze_of_lines_far_finer_than_a_px_is_refused_on_a_small_canvas() {
 }
 
 #[test]
-fn what_takes_longer_than_usual_is_accepted_with_more_minutes() {
+fn a_growth_that_takes_longer_than_the_limit_is_accepted_with_more_minutes() {
     let folder = Folder::with(&fine_maze());
     let (code, message) = limited(&folder, "check a.dapple --minutes 2");
     assert_eq!(code, Some(0), "{message}");

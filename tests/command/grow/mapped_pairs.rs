@@ -1,4 +1,4 @@
-//! Maps of weaves, mazes, pair stripes and stucco: each part of a ramp has what the map asks for there.
+//! Maps of weaves, mazes, pair stripes and stucco: each part of a ramp has the values that the map asks for there.
 
 use dapple::document::{PairKind, SystemChoice};
 use dapple::lookup::{Attributes, Stripes};
@@ -16,18 +16,19 @@ fn part([x, _]: [f64; 2]) -> usize {
     ((x / SIDE * PARTS as f64) as usize).min(PARTS - 1)
 }
 
-/// A map from the first number at the left to the second at the right, which replaces what was drawn or multiplies it.
+/// A map whose value goes from the first number at the left to the second at the right; it replaces what was drawn or
+/// multiplies it.
 fn ramp(factor: bool, range: [f64; 2]) -> LayerMap {
     let image = ToneImage::new([256, 1], (0..=255).collect()).expect("256 px");
     LayerMap { source: MapSource::Image { image, factor }, range }
 }
 
-/// Three lines 7 px wide and 24 px apart at each of these angles.
+/// A layer with three lines 7 px wide and 24 px apart at each of these angles.
 fn lines(kind: PairKind, angles: &[f64]) -> Layer {
     wide_lines(kind, angles, 7.0)
 }
 
-/// The same, `width` px wide.
+/// A layer like that of [`lines`], with lines of `width` px.
 fn wide_lines(kind: PairKind, angles: &[f64], width: f64) -> Layer {
     let mut all = Vec::new();
     for angle in angles {
@@ -46,7 +47,7 @@ fn grown(layer: Layer) -> GrownPairs {
     grown.layers[0].pairs().expect("pairs").clone()
 }
 
-/// What was asked for and got on each part, of the threads of each direction.
+/// For each part of the canvas: the errors of the threads of each direction.
 fn threads(pairs: &GrownPairs) -> Vec<Vec<StripeErrors>> {
     let directions = pairs.plan.threads.iter().zip(&pairs.differences).zip(&pairs.levels);
     let of = directions.map(|((threads, difference), level)| {
@@ -64,7 +65,7 @@ fn threads(pairs: &GrownPairs) -> Vec<Vec<StripeErrors>> {
     of.collect()
 }
 
-/// Asserts that errors are there and within a bound.
+/// Asserts that errors were measured and are within a bound.
 #[track_caller]
 fn within(found: &[StripeErrors], error: fn(&StripeErrors) -> Option<f64>, bound: f64) {
     let met = found.iter().all(|of| error(of).is_some_and(|error| error.abs() <= bound));
@@ -76,7 +77,7 @@ fn got(found: &[StripeErrors], value: fn(&Stripes) -> f64) -> Vec<f64> {
 }
 
 #[test]
-fn the_threads_of_a_weave_are_as_wide_and_far_apart_as_a_map_says_where_they_are() {
+fn the_threads_of_a_weave_have_the_width_and_distance_of_the_map_at_their_place() {
     for found in threads(&grown(
         lines(PairKind::Weave, &[0.0, 90.0]).with_map(MapKey::Spacing, ramp(true, [0.8, 1.3])),
     )) {
@@ -88,7 +89,7 @@ fn the_threads_of_a_weave_are_as_wide_and_far_apart_as_a_map_says_where_they_are
 }
 
 #[test]
-fn the_threads_of_a_weave_and_the_lines_of_a_maze_cover_as_much_as_a_map_says_where_they_are() {
+fn the_threads_of_a_weave_and_the_lines_of_a_maze_cover_the_share_of_the_map_at_their_place() {
     let mapped = |kind| {
         let layer = wide_lines(kind, &[0.0, 90.0], 8.0).with_map(MapKey::Duty, ramp(false, [0.2, 0.45]));
         grown(layer)
@@ -104,8 +105,8 @@ fn the_threads_of_a_weave_and_the_lines_of_a_maze_cover_as_much_as_a_map_says_wh
 }
 
 #[test]
-fn all_threads_of_a_weave_turn_by_what_a_map_says_or_with_the_first_of_them() {
-    // Turned, and set to a direction that the first threads take.
+fn all_threads_of_a_weave_turn_by_the_angle_of_the_map_or_with_the_first_threads() {
+    // Once rotated by the map, and once set to a direction that the first threads take.
     for (factor, range) in [(true, [0.0, 25.0]), (false, [10.0, 35.0])] {
         let pairs =
             grown(lines(PairKind::Weave, &[10.0, 90.0]).with_map(MapKey::Direction, ramp(factor, range)));
@@ -121,7 +122,7 @@ fn all_threads_of_a_weave_turn_by_what_a_map_says_or_with_the_first_of_them() {
 }
 
 #[test]
-fn pair_stripes_have_the_spacing_duty_and_direction_that_a_map_says_where_they_are() {
+fn pair_stripes_have_the_spacing_duty_and_direction_of_the_map_at_their_place() {
     let stripes = |key, map| {
         let found = threads(&grown(lines(PairKind::Stripes, &[30.0]).with_map(key, map)));
         found.into_iter().next().expect("one direction")
@@ -138,7 +139,7 @@ fn pair_stripes_have_the_spacing_duty_and_direction_that_a_map_says_where_they_a
     within(&turned, |of| of.angle, 4.0);
 }
 
-/// The mean width of what lies above the level in each part.
+/// The mean width, in each part, of the areas above the level.
 fn widths(pairs: &GrownPairs) -> Vec<f64> {
     let field = &pairs.differences[0];
     let columns = field.width / PARTS;
@@ -152,7 +153,7 @@ fn widths(pairs: &GrownPairs) -> Vec<f64> {
 }
 
 #[test]
-fn the_lines_of_a_maze_and_the_blotches_of_stucco_are_as_wide_as_a_map_says_where_they_are() {
+fn the_lines_of_a_maze_and_the_blotches_of_stucco_have_the_width_of_the_map_at_their_place() {
     for layer in [wide_lines(PairKind::Maze, &[0.0, 90.0], 11.0), lines(PairKind::Stucco, &[0.0])] {
         let pairs = grown(layer.with_map(MapKey::Spacing, ramp(true, [0.7, 1.4])));
         let wanted = |part: usize| {
@@ -165,7 +166,7 @@ fn the_lines_of_a_maze_and_the_blotches_of_stucco_are_as_wide_as_a_map_says_wher
 }
 
 #[test]
-fn drawn_threads_are_examples_where_a_map_varies_them() {
+fn drawn_threads_are_not_kept_where_a_map_varies_them() {
     let layer = lines(PairKind::Weave, &[0.0, 90.0]);
     let reported = |layer: Layer| {
         let grown = Document::new([SIDE as u32; 2]).with_layer(layer).grow().expect("it grows");

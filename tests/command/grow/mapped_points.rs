@@ -1,4 +1,4 @@
-//! Maps of patches, cells, streaks and cracks: each part of a ramp has what the map asks for there.
+//! Maps of patches, cells, streaks and cracks: each part of a ramp has the values that the map asks for there.
 
 use dapple::document::{AreaKind, LineKind, SystemChoice};
 use dapple::lookup::Attributes;
@@ -17,13 +17,14 @@ fn part([x, _]: [f64; 2]) -> usize {
     ((x / SIDE * PARTS as f64) as usize).min(PARTS - 1)
 }
 
-/// A map from the first number at the left to the second at the right, which replaces what was drawn or multiplies it.
+/// A map whose value goes from the first number at the left to the second at the right; it replaces what was drawn or
+/// multiplies it.
 fn ramp(factor: bool, range: [f64; 2]) -> LayerMap {
     let image = ToneImage::new([256, 1], (0..=255).collect()).expect("256 px");
     LayerMap { source: MapSource::Image { image, factor }, range }
 }
 
-/// Ellipses of 400 px² and aspect .7, 40 px apart.
+/// A layer with ellipses of 400 px² and aspect 0.7, 40 px apart.
 fn ellipses(kind: AreaKind) -> Layer {
     let at = |x: f64, y: f64| Stroke::ellipse([300.0 + x, 300.0 + y], [13.5, 9.45], 20.0);
     let row = 40.0 * 0.75f64.sqrt();
@@ -31,7 +32,7 @@ fn ellipses(kind: AreaKind) -> Layer {
     Layer { system: SystemChoice::Of(kind.description()), ..layer }
 }
 
-/// Two lines 7 px wide, 20 px apart.
+/// A layer with two lines 7 px wide, 20 px apart.
 fn lines(kind: LineKind) -> Layer {
     let line = |y: f64| Stroke::line([200.0, y], [400.0, y], 7.0);
     Layer { system: SystemChoice::Of(kind.description()), ..Layer::new([line(290.0), line(310.0)]) }
@@ -41,7 +42,7 @@ fn grown(layer: Layer) -> Grown {
     Document::new([SIDE as u32; 2]).with_layer(layer).grow().expect("it grows")
 }
 
-/// The parts of the canvas, with what is wanted at each place.
+/// The parts of the canvas, each with the attributes that are asked for at its places.
 fn by_part(bounds: Bounds, wanted: &(dyn Fn([f64; 2]) -> Attributes + Sync)) -> Target<'_> {
     Target { bounds, regions: Regions::Any(PARTS, &part), covered: &|_| false, wanted, surface: None }
 }
@@ -64,7 +65,7 @@ fn stripes(layer: Layer) -> Vec<StripeErrors> {
     stripe_errors(&lines.field, 0.5, &target)
 }
 
-/// Asserts that errors are there and within a bound, and that what was got rises from part to part.
+/// Asserts that errors were measured and are within a bound, and that the grown values rise from part to part.
 #[track_caller]
 fn met(errors: &[Option<f64>], got: &[f64], bound: f64) {
     let within = errors.iter().all(|error| error.is_some_and(|error| error.abs() <= bound));
@@ -72,7 +73,7 @@ fn met(errors: &[Option<f64>], got: &[f64], bound: f64) {
 }
 
 #[test]
-fn patches_are_as_large_as_far_apart_and_turned_as_a_map_says_where_they_are() {
+fn patches_have_the_area_spacing_and_direction_of_the_map_at_their_place() {
     let found = areas(ellipses(AreaKind::Patches).with_map(MapKey::Area, ramp(false, [200.0, 500.0])));
     let got = |of: &SpotErrors| of.got.expect("whole patches");
     met(
@@ -92,14 +93,14 @@ fn patches_are_as_large_as_far_apart_and_turned_as_a_map_says_where_they_are() {
 }
 
 #[test]
-fn cells_are_as_large_as_a_map_says_where_they_are() {
+fn cells_have_the_area_of_the_map_at_their_place() {
     let found = areas(ellipses(AreaKind::Polygons).with_map(MapKey::Area, ramp(true, [0.8, 2.4])));
     let got: Vec<f64> = found.iter().map(|of| of.got.expect("whole cells").area).collect();
     met(&found.iter().map(|of| of.area).collect::<Vec<_>>(), &got, 0.08);
 }
 
 #[test]
-fn streaks_are_turned_and_as_wide_as_a_map_says_where_they_are() {
+fn streaks_have_the_direction_and_width_of_the_map_at_their_place() {
     let got = |of: &StripeErrors| of.got.expect("streaks");
     let found = stripes(lines(LineKind::Streaks).with_map(MapKey::Direction, ramp(true, [0.0, 60.0])));
     met(
@@ -116,7 +117,7 @@ fn streaks_are_turned_and_as_wide_as_a_map_says_where_they_are() {
 }
 
 #[test]
-fn cracks_are_as_wide_as_a_map_says_where_they_are() {
+fn cracks_have_the_width_of_the_map_at_their_place() {
     let found = stripes(lines(LineKind::Cracks).with_map(MapKey::Spacing, ramp(true, [0.8, 1.6])));
     let got: Vec<f64> = found.iter().map(|of| of.got.expect("cracks").width).collect();
     met(&found.iter().map(|of| of.width).collect::<Vec<_>>(), &got, 0.12);

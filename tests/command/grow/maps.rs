@@ -1,4 +1,4 @@
-//! Maps: what a layer asks for varies by a picture or by noise, and grows so.
+//! Maps: the attributes that a layer asks for vary by a picture or by noise, and the grown marks vary in the same way.
 
 use crate::grow::folder::Folder;
 use dapple::document::{System, SystemChoice};
@@ -22,16 +22,16 @@ fn by_picture(factor: bool, range: [f64; 2]) -> LayerMap {
     LayerMap { source: MapSource::Image { image: ramp(), factor }, range }
 }
 
-/// Spots of 314 px², 34 px apart.
+/// A layer with spots of 314 px², 34 px apart.
 fn spots() -> Layer {
     let at = |x: f64, y: f64| Stroke::ellipse([256.0 + x, 256.0 + y], [12.6, 7.9], 20.0);
     let row = 34.0 * 0.75f64.sqrt();
     let spots = Layer::new([at(0.0, 0.0), at(34.0, 0.0), at(17.0, row), at(-17.0, row)]);
-    // They are so dense that patches would be chosen.
+    // They are so dense that dapple would choose patches.
     spots.with_system(SystemChoice::Of(System::MEINHARDT_SPOTS.description()))
 }
 
-/// Stripes 8 px wide along x.
+/// A layer with stripes 8 px wide along x.
 fn stripes() -> Layer {
     Layer::new([Stroke::line([100.0, 256.0], [400.0, 256.0], 8.0)])
 }
@@ -51,7 +51,8 @@ fn by_part<T>(marks: &GrownMarks, measure: impl Fn(&Target) -> T) -> T {
     marks.plan.on_canvas(|target| measure(&Target { regions: Regions::Any(PARTS, &part), ..*target }))
 }
 
-/// What the errors of spots may be on each part: of area and spacing (shares), aspect, angle (degrees).
+/// Asserts, on each part of the canvas, the largest errors of spots: of area and spacing (relative), aspect, angle
+/// (degrees).
 #[track_caller]
 fn spots_met(layer: Layer, [area, spacing, aspect, angle]: [f64; 4]) -> Vec<Spots> {
     let (marks, _) = grown(layer);
@@ -88,14 +89,15 @@ fn each_part_of_a_ramp_has_the_spacing_direction_and_aspect_that_it_asks_for() {
 }
 
 #[test]
-fn spots_that_nothing_spaces_are_farther_apart_where_a_map_makes_them_larger() {
+fn spots_without_a_drawn_spacing_are_farther_apart_where_a_map_makes_them_larger() {
     let one = Layer::new([Stroke::ellipse([256.0, 256.0], [12.0, 12.0], 0.0)]);
     let got = spots_met(one.with_map(MapKey::Area, by_picture(true, [0.5, 1.5])), [0.03, 0.04, 0.05, 90.0]);
     let [low, high] = [got[0], got[3]].map(|of| of.area.sqrt() / of.spacing.expect("many spots"));
     assert!((high / low - 1.0).abs() < 0.05, "{got:?}");
 }
 
-/// What the errors of stripes may be on each part: of width and period (shares), mean angle (degrees).
+/// Asserts, on each part of the canvas, the largest errors of stripes: of width and period (relative), mean angle
+/// (degrees).
 #[track_caller]
 fn stripes_met(layer: Layer, [width, period, angle]: [f64; 3]) -> Vec<Stripes> {
     let (marks, field) = grown(layer);
@@ -138,7 +140,7 @@ fn by_noise(size: f64, range: [f64; 2]) -> LayerMap {
 }
 
 #[test]
-fn spots_are_as_large_as_the_noise_says_where_they_are() {
+fn spots_have_the_area_of_the_noise_at_their_place() {
     let (marks, _) = grown(spots().with_map(MapKey::Area, by_noise(150.0, [0.4, 1.3])));
     let wanted = |spot: &Spot| match marks.plan.lookup.map.at(spot.ellipse.center) {
         Attributes::Spots(spots) => spots.area,
@@ -186,7 +188,7 @@ fn moved(layer: Layer, [x, y]: [f64; 2]) -> Layer {
 }
 
 #[test]
-fn what_a_map_asks_for_beyond_the_system_is_noted() {
+fn values_of_a_map_that_the_system_cannot_grow_are_noted() {
     let layer = stripes().with_map(MapKey::Duty, by_picture(false, [0.18, 0.7]));
     let document = Document::new([256, 256])
         .with_layer(Layer { strokes: vec![Stroke::line([30.0, 90.0], [200.0, 90.0], 8.0)], ..layer });
@@ -220,7 +222,7 @@ fn colours_vary_and_marks_stay_where_they_are() {
 }
 
 #[test]
-fn a_map_of_the_command_line_travels_in_the_picture_and_check_says_what_it_does() {
+fn a_map_from_the_command_line_is_stored_in_the_picture_and_check_describes_it() {
     let folder = varied(&json!({}));
     image::GrayImage::from_fn(64, 8, |x, _| image::Luma([4 * x as u8]))
         .save(folder.path("ramp.png"))
@@ -250,7 +252,7 @@ fn a_map_of_the_command_line_travels_in_the_picture_and_check_says_what_it_does(
 }
 
 #[test]
-fn rings_take_no_map_but_of_colours() {
+fn rings_only_take_maps_of_colours() {
     let mut document = crate::grow::folder::spots();
     document["version"] = json!(2);
     let line = json!({"kind": "line", "from": [20, 20], "to": [90, 20], "width": 3});
@@ -261,6 +263,6 @@ fn rings_take_no_map_but_of_colours() {
     folder.refuses(
         "grow a.dapple -o a.png",
         1,
-        &["layers[1].maps.spacing", "The marks of the layer beneath say where these grow"],
+        &["layers[1].maps.spacing", "The marks of the layer beneath determine the places of these marks"],
     );
 }

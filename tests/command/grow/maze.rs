@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::grow::folder::Folder;
 
-/// A line around `center`, so long, with this direction (degrees) and width.
+/// A line around `center` with this length, direction (degrees) and width.
 fn line([x, y]: [f64; 2], long: f64, angle: f64, width: f64) -> Value {
     let (s, c) = angle.to_radians().sin_cos();
     let [dx, dy] = [0.5 * long * c, 0.5 * long * s];
@@ -16,7 +16,7 @@ fn maze(size: [u32; 2], edges: &str, strokes: &[Value]) -> Value {
         "layers": [{"system": "maze", "strokes": strokes}]})
 }
 
-/// Two lines side by side of each direction, at places of their own.
+/// Two lines side by side of each direction; each pair has its own place.
 fn pairs_of(angles: &[f64], long: f64, width: f64, apart: f64) -> Vec<Value> {
     let lines = |(index, angle): (usize, &f64)| {
         let (s, c) = angle.to_radians().sin_cos();
@@ -26,7 +26,7 @@ fn pairs_of(angles: &[f64], long: f64, width: f64, apart: f64) -> Vec<Value> {
     angles.iter().enumerate().flat_map(lines).collect()
 }
 
-/// Of the edges in part of a picture, the share that runs within 15° of one of these directions.
+/// The share of the edges in part of a picture that run within 15° of one of these directions.
 fn along(folder: &Folder, name: &str, angles: &[f64], inside: impl Fn([usize; 2]) -> bool) -> f64 {
     let ([width, height], values) = folder.gray16(name);
     let at = |x: usize, y: usize| f64::from(values[y % height * width + x % width]);
@@ -69,7 +69,7 @@ fn pieces_of_a_maze_have_the_drawn_directions_and_widths() {
         }
         let share = along(&folder, "p.png", angles, |_| true);
         assert!(share > 0.8, "{share} of {angles:?}");
-        // Every direction has its part.
+        // Every direction has its share.
         for angle in angles {
             let own = along(&folder, "p.png", &[*angle], |_| true);
             assert!(own > 0.5 * share / angles.len() as f64, "{own} of {angle} of {share}");
@@ -80,8 +80,8 @@ fn pieces_of_a_maze_have_the_drawn_directions_and_widths() {
     }
 }
 
-/// What `check` and the report of a growth say of lines of two directions with this width and distance, px, and the mean width that
-/// grew.
+/// For lines of two directions with this width and distance, px: the notes of `check` and of the report of a growth,
+/// and the mean width that grew.
 fn told(width: f64, apart: f64) -> ([String; 2], f64) {
     let folder = Folder::with(&maze([320, 320], "wrap", &pairs_of(&[0.0, 90.0], 80.0, width, apart)));
     let checked = folder.dapple("check a.dapple --json").output().unwrap().stdout;
@@ -93,7 +93,7 @@ fn told(width: f64, apart: f64) -> ([String; 2], f64) {
 }
 
 #[test]
-fn lines_thinner_than_those_of_a_maze_can_be_are_noted_with_the_width_that_grows() {
+fn lines_too_thin_for_a_maze_are_noted_with_the_width_that_grows() {
     let (notes, got) = told(5.0, 25.0);
     assert!((got - 8.0).abs() < 0.5, "{got}");
     for said in notes {
@@ -136,7 +136,7 @@ fn the_number_of_threads_of_the_computer_changes_no_byte_of_a_maze() {
 }
 
 #[test]
-fn what_a_maze_cannot_be_is_refused_with_the_reason() {
+fn impossible_mazes_are_refused_with_the_reason() {
     let one = maze(
         [200, 200],
         "wrap",

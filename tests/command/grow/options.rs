@@ -31,7 +31,7 @@ fn a_picture_has_the_size_and_resolution_of_its_document() {
 }
 
 #[test]
-fn a_larger_size_is_more_of_the_same() {
+fn a_larger_size_gives_more_marks_of_the_same_size() {
     let folder = Folder::with(&spots());
     folder.grow("--pattern small.png");
     folder.grow("--pattern large.png --size 256x224");
@@ -40,7 +40,7 @@ fn a_larger_size_is_more_of_the_same() {
     let areas = [&small, &large].map(|measured| measured["area"].as_f64().unwrap());
     assert!((areas[1] / areas[0] - 1.0).abs() < 0.03 && (areas[1] / AREA - 1.0).abs() < 0.02, "{areas:?}");
     let marks = [small, large].map(|measured| measured["marks"].as_f64().unwrap());
-    // 3.5 times the canvas, with a smaller share of border.
+    // The canvas is 3.5 times as large, with a smaller share of border.
     assert!((3.3..6.0).contains(&(marks[1] / marks[0])), "{marks:?}");
 }
 
@@ -61,7 +61,7 @@ fn a_larger_scale_is_the_same_pattern_smoothly_finer() {
             worst = worst.max((nine - f64::from(*value) / 65535.0).abs());
         }
         assert!(worst < 0.03, "{worst}");
-        // If px were only repeated, all steps would be between the former px and none inside them.
+        // If px were only repeated, all steps would be between the former px, and none inside them.
         let (mut inside, mut between) = (0.0, 0.0);
         for y in 0..3 * height {
             for x in 0..3 * width - 3 {
@@ -86,7 +86,7 @@ fn a_pattern_has_both_sides_of_a_mark_s_edge() {
             values.iter().filter(|value| within(**value)).count() as f64 / values.len() as f64
         };
         assert!(share(&|value| value < 16384) > 0.2 && share(&|value| value > 40000) > 0.02);
-        // Values are not clipped near the edge: hardly two px there are equal.
+        // Values near the edge are not clipped: hardly any two px there are equal.
         let mut near: Vec<u16> =
             values.iter().copied().filter(|value| (16384..49152).contains(value)).collect();
         let all = near.len();
@@ -97,7 +97,7 @@ fn a_pattern_has_both_sides_of_a_mark_s_edge() {
 }
 
 #[test]
-fn a_layer_s_pattern_is_that_of_the_only_layer() {
+fn the_pattern_of_layer_1_is_that_of_the_only_layer() {
     let folder = Folder::with(&spots());
     folder.grow("--pattern all.png");
     folder.grow("--pattern one.png --layer 1");
@@ -203,7 +203,7 @@ fn without_refinement_the_level_is_that_of_the_lookup() {
 }
 
 #[test]
-fn quiet_says_nothing() {
+fn quiet_prints_nothing() {
     // Marks below the range of the training rows, which gives a note.
     let mut document = spots();
     document["size"] = json!([20, 20]);

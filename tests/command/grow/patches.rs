@@ -1,11 +1,11 @@
-//! Patches: blotches as large, as far apart, as long, turned and ragged as they were drawn.
+//! Patches: blotches with the area, distance, shape, direction and raggedness that were drawn.
 
 use dapple_engine::measure::raggedness;
 use serde_json::{Value, json};
 
 use crate::grow::folder::Folder;
 
-/// A blot of this area (px²), aspect and direction, whose radius varies by the share `rough`.
+/// A blotch with this area (px²), aspect and direction, whose radius varies by the share `rough`.
 fn blot([x, y]: [f64; 2], area: f64, aspect: f64, angle: f64, rough: f64) -> Vec<[f64; 2]> {
     let major = (area / std::f64::consts::PI / aspect).sqrt();
     let (s, c) = angle.to_radians().sin_cos();
@@ -23,11 +23,11 @@ fn outline(points: &[[f64; 2]]) -> Value {
     json!({"kind": "outline", "points": points})
 }
 
-/// What is drawn: canvas side, coverage, area, aspect, angle, roughness, edges.
+/// The values of a sketch: canvas side, coverage, area, aspect, angle, roughness, edges.
 struct Sketch(f64, f64, f64, f64, f64, f64, &'static str);
 
 impl Sketch {
-    /// Nine blots on a hexagonal lattice, so far apart that they cover that share.
+    /// A document with nine blotches on a hexagonal lattice, at the distance at which they cover the share.
     fn document(&self) -> Value {
         let Self(side, coverage, area, aspect, angle, rough, edges) = *self;
         let apart = (area * 2.0 / (3f64.sqrt() * coverage)).sqrt();
@@ -81,7 +81,7 @@ fn patches_have_the_drawn_area_spacing_aspect_direction_and_raggedness() {
 }
 
 #[test]
-fn what_is_asked_of_patches_is_what_their_outlines_have() {
+fn patches_are_asked_to_have_the_attributes_of_the_drawn_outlines() {
     let drawn =
         [blot([150.0, 140.0], 2400.0, 0.6, 30.0, 0.18), blot([250.0, 150.0], 2400.0, 0.6, 30.0, 0.18)];
     let ragged: f64 = drawn.iter().map(|points| raggedness(points).unwrap()).sum::<f64>() / 2.0;
@@ -98,7 +98,7 @@ fn what_is_asked_of_patches_is_what_their_outlines_have() {
     let region = &layer["regions"][0];
     assert!((number(region, "raggedness") / ragged - 1.0).abs() < 0.02, "{region} for {ragged}");
     assert!((number(&region["asked"], "spacing") / 100.5 - 1.0).abs() < 0.1, "{region}");
-    // Given, the drawn outlines do not matter for it.
+    // Where the raggedness is given, the drawn outlines do not matter for it.
     let given = |sigma: f64, document: &mut Value| {
         document["layers"][0]["options"] = json!({"ragged": sigma});
         number(&checked(&Folder::with(document))["layers"][0]["regions"][0], "raggedness")
@@ -139,7 +139,7 @@ fn kept_patches_are_the_drawn_outlines() {
     for mark in marks {
         assert!(mark["there"] == true && number(mark, "off") <= 0.15, "{mark}");
     }
-    // Seen in the picture itself: inside each outline nearly all px are above the edge.
+    // Checked in the picture itself: inside each outline nearly all px are above the edge.
     let ([width, _], values) = folder.gray16("p.png");
     for points in &drawn {
         let (mut inside, mut grown) = (0, 0);
@@ -184,7 +184,7 @@ fn ellipses_give_smooth_patches_and_regions_differ() {
 }
 
 #[test]
-fn patches_keep_clear_of_the_layers_beneath_and_those_above_of_them() {
+fn patches_do_not_touch_layers_beneath_and_layers_above_do_not_touch_patches() {
     let layer = |name: &str, at: [f64; 2], area: f64, apart: f64| {
         let strokes = [
             outline(&blot(at, area, 0.7, 0.0, 0.1)),
@@ -235,7 +235,7 @@ fn a_larger_canvas_gives_more_patches_of_the_same_size() {
 }
 
 #[test]
-fn what_patches_cannot_be_is_refused_with_the_reason() {
+fn impossible_patches_are_refused_with_the_reason() {
     let small = || Sketch(200.0, 0.3, 400.0, 0.8, 0.0, 0.1, "closed").document();
     let mut above = small();
     let own = above["layers"][0].clone();

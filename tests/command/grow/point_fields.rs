@@ -1,4 +1,4 @@
-//! Fields of points: of the share that is asked for, the same for any number of threads, without a seam.
+//! Fields of points: they have the share that is asked for, are the same for any number of threads, and have no seam.
 
 use crate::grow::folder::Folder;
 use dapple::document::{AreaKind, Edges, SystemChoice};
@@ -9,7 +9,7 @@ use dapple::{Document, Grown, Layer, Stroke};
 use dapple_engine::grid::Field;
 use serde_json::{Value, json};
 
-/// Of each kind one.
+/// One of each kind of labels.
 fn labels() -> Vec<Labels> {
     let image = ToneImage::new([2, 2], vec![0, 200, 200, 90]).expect("four px");
     vec![
@@ -40,7 +40,7 @@ fn share(field: &Field) -> f64 {
     field.values.iter().filter(|value| **value >= 0.5).count() as f64 / field.values.len() as f64
 }
 
-/// The share that the lowest layer shows.
+/// The share of dark px in the field of the lowest layer.
 fn share_of(grown: &Grown) -> f64 {
     share(&pattern(grown, 0))
 }
@@ -130,13 +130,13 @@ fn drawn_ellipses_give_distance_and_share() {
     let grown = Document::new([200, 150]).with_layer(layer).grow().unwrap();
     let plan = &grown.layers[0].points().unwrap().plan;
     assert!((plan.distances[0] - 24.0).abs() < 0.3, "{:?}", plan.distances);
-    // 154 px² in .9 · 24² px²; points are as often dark.
+    // The marks cover 154 px² in 0.9 · 24² px²; the points are dark as often.
     assert!((plan.share.unwrap() - 0.297).abs() < 0.01, "{:?}", plan.share);
     assert!((share(&pattern(&grown, 0)) - plan.share.unwrap()).abs() < 0.005);
 }
 
 #[test]
-fn a_field_keeps_off_the_marks_beneath_and_fills_the_share_of_what_is_left() {
+fn a_field_does_not_touch_the_marks_beneath_and_fills_its_share_of_the_rest() {
     let disc = Stroke::ellipse([100.0, 75.0], [40.0, 30.0], 0.0);
     let beneath = Layer::new([disc]).with_system(SystemChoice::Of(AreaKind::Patches.description()));
     let points = Points { distance: Some([6.0; 2]), share: Some(0.4), ..Points::default() };
@@ -171,7 +171,7 @@ fn a_field_of_one_value_is_refused_with_the_reason() {
 }
 
 #[test]
-fn check_says_what_a_field_is_made_of_and_what_of_the_sketch_it_honours() {
+fn check_lists_the_settings_of_a_field_and_the_attributes_that_it_takes_from_the_sketch() {
     let disc = |x: i32| json!({"kind": "ellipse", "center": [x, 50], "radii": [6, 6], "angle": 0});
     let mut document = json!({"format": "dapple", "version": 2, "size": [200, 150],
         "layers": [{"system": "points", "strokes": [disc(60), disc(80)], "points": {"distance": 12}}]});
@@ -188,13 +188,15 @@ fn check_says_what_a_field_is_made_of_and_what_of_the_sketch_it_honours() {
     assert!((number(&found["layers"][0]["points"], "expected") - 146.0).abs() < 2.0, "{found}");
 }
 
-/// A map from the first number at the left to the second at the right, which multiplies what is asked for or replaces it.
+/// A map whose value goes from the first number at the left to the second at the right; it multiplies what is asked for
+/// or replaces it.
 fn ramp(factor: bool, range: [f64; 2]) -> LayerMap {
     let image = ToneImage::new([256, 1], (0..=255).collect()).expect("256 px");
     LayerMap { source: MapSource::Image { image, factor }, range }
 }
 
-/// The shares that the field of the lowest layer shows on four parts of 600 × 400 px, from left to right, and how many edges a row crosses there.
+/// The dark shares of the field of the lowest layer on four parts of 600 × 400 px, from left to right, and the number
+/// of edges that a row crosses there.
 fn by_part(layer: Layer) -> ([f64; 4], [usize; 4]) {
     let grown = Document::new([600, 400]).with_layer(layer).grow().unwrap_or_else(|error| panic!("{error}"));
     let field = pattern(&grown, 0);
@@ -210,31 +212,32 @@ fn by_part(layer: Layer) -> ([f64; 4], [usize; 4]) {
 }
 
 #[test]
-fn a_map_of_the_area_says_which_share_is_dark_where() {
+fn a_map_of_the_area_sets_the_dark_share_at_each_place() {
     let points =
         Points { distance: Some([7.0; 2]), labels: Labels::Random { dark: [0.5; 2] }, ..Points::default() };
     let layer = Layer::default().with_points(points);
     let (shares, _) = by_part(layer.clone().with_map(MapKey::Area, ramp(true, [0.4, 1.6])));
-    // The middles of the parts have .2 + .6·x of the probability.
+    // In the middles of the parts, the factor on the probability is 0.2 + 0.6·x.
     for (share, wanted) in shares.iter().zip([0.275, 0.425, 0.575, 0.725]) {
         assert!((share - wanted).abs() < 0.06, "{shares:?}");
     }
     let mean = shares.iter().sum::<f64>() / 4.0;
     assert!((mean - 0.5).abs() < 0.01, "{mean}");
-    // Dark places of 15 to 40 px², where each point has about 44.
+    // There are dark places of 15 to 40 px² where one point has about 44 px².
     let (shares, _) = by_part(layer.with_map(MapKey::Area, ramp(false, [10.0, 36.0])));
     assert!(shares.is_sorted() && shares[3] > 2.0 * shares[0], "{shares:?}");
 }
 
 #[test]
-fn a_map_of_the_spacing_says_how_far_apart_points_are_and_keeps_the_share() {
+fn a_map_of_the_spacing_sets_the_distance_of_points_and_keeps_the_dark_share() {
     let points = Points { distance: Some([10.0; 2]), share: Some(0.4), ..Points::default() };
     let layer = Layer::default().with_points(points).with_map(MapKey::Spacing, ramp(true, [0.6, 2.4]));
     let (shares, crossed) = by_part(layer);
     let mean = shares.iter().sum::<f64>() / 4.0;
     assert!((mean - 0.4).abs() < 0.01, "{mean}");
     assert!(shares.iter().all(|share| (share - 0.4).abs() < 0.12), "{shares:?}");
-    // Points are 8.3 and 21.8 px apart in the first and in the last part; edges go with their distance.
+    // Points are 8.3 px apart in the first part and 21.8 px in the last one; the number of edges is inversely
+    // proportional to the distance.
     let ratio = crossed[0] as f64 / crossed[3] as f64;
     assert!((2.0..3.4).contains(&ratio), "{crossed:?}");
 }

@@ -1,4 +1,4 @@
-//! Streaks and cracks: as wide and of the share that was drawn, streaks in the drawn direction.
+//! Streaks and cracks: they have the drawn width and share, and streaks the drawn direction.
 
 use serde_json::{Value, json};
 
@@ -76,7 +76,7 @@ fn notes(folder: &Folder) -> [String; 2] {
 }
 
 #[test]
-fn streaks_of_a_duty_out_of_reach_cover_as_much_as_can_be_and_a_note_says_so() {
+fn streaks_of_an_impossible_duty_cover_as_much_as_possible_and_a_note_says_so() {
     for (duty, share) in [(0.82, 0.6), (0.18, 0.2)] {
         let mut document = document("streaks", "closed", [9.0, 22.0, 30.0]);
         document["layers"][0]["options"] = json!({"duty": duty});
@@ -90,7 +90,7 @@ fn streaks_of_a_duty_out_of_reach_cover_as_much_as_can_be_and_a_note_says_so() {
 }
 
 #[test]
-fn lines_nearer_to_each_other_than_streaks_and_cracks_can_be_are_noted() {
+fn lines_too_close_together_for_streaks_and_cracks_are_noted() {
     for system in ["streaks", "cracks"] {
         let folder = Folder::with(&document(system, "closed", [9.0, 12.0, 30.0]));
         layer(&folder, "");
@@ -100,7 +100,7 @@ fn lines_nearer_to_each_other_than_streaks_and_cracks_can_be_are_noted() {
 }
 
 #[test]
-fn streaks_leave_room_to_the_layer_beneath_and_repeat_byte_by_byte() {
+fn streaks_leave_room_around_the_layer_beneath_and_grow_the_same_bytes_again() {
     let mut document = document("streaks", "closed", [8.0, 20.0, 60.0]);
     let disc = json!({"kind": "ellipse", "center": [200, 180], "radii": [60, 40], "angle": 0});
     let beneath = json!({"system": "patches", "strokes": [disc]});
@@ -118,7 +118,7 @@ fn streaks_leave_room_to_the_layer_beneath_and_repeat_byte_by_byte() {
 }
 
 #[test]
-fn streaks_and_cracks_take_lines_alone_and_streaks_a_number_of_points() {
+fn streaks_and_cracks_only_take_lines_and_streaks_take_a_number_of_points() {
     let disc = json!({"kind": "ellipse", "center": [50, 50], "radii": [9, 9], "angle": 0});
     for (system, strokes, options, names) in [
         ("cracks", json!([disc]), json!({}), ["layers[0].system", "This system grows stripes"]),

@@ -1,11 +1,11 @@
-//! Spots and stripes with ragged edges: as ragged as asked, with the areas and distances that they had.
+//! Spots and stripes with ragged edges: they have the raggedness that is asked for, and keep their areas and distances.
 
 use dapple_engine::grid::{Edges, Field};
 use serde_json::{Value, json};
 
 use crate::grow::folder::Folder;
 
-/// Three spots of 18 px, 62 px apart.
+/// A document with three spots of 18 px, 62 px apart.
 fn spots(system: &str, edges: &str) -> Value {
     let spot =
         |center: [f64; 2]| json!({"kind": "ellipse", "center": center, "radii": [20, 16], "angle": 30});
@@ -13,14 +13,14 @@ fn spots(system: &str, edges: &str) -> Value {
         "strokes": [spot([150.0, 150.0]), spot([212.0, 150.0]), spot([181.0, 204.0])], "options": {}}]})
 }
 
-/// Three lines of 14 px, 30 px apart.
+/// A document with three lines of 14 px, 30 px apart.
 fn stripes(edges: &str) -> Value {
     let line = |y: f64| json!({"kind": "line", "from": [120, y], "to": [280, y + 24.0], "width": 14});
     json!({"format": "dapple", "version": 2, "size": [400, 400], "edges": edges, "layers": [{
         "strokes": [line(150.0), line(180.0), line(210.0)], "options": {}}]})
 }
 
-/// What grew of a document: its pattern, and the first region of its report.
+/// The result of a document: its pattern, and the first region of its report.
 fn grown(document: &Value, edges: Edges, more: &str) -> (Field, Value) {
     let folder = Folder::with(document);
     folder.grow(&format!("--pattern p.png --report r.json {more}"));
@@ -42,7 +42,7 @@ fn number(value: &Value, key: &str) -> f64 {
 }
 
 #[test]
-fn spots_get_as_ragged_as_asked_and_keep_their_area_and_distance() {
+fn spots_get_the_asked_raggedness_and_keep_their_area_and_distance() {
     for system in ["meinhardt-spots", "turing-spots"] {
         let (plain, before) = grown(&spots(system, "wrap"), Edges::Wrap, "");
         assert!(before["got"]["raggedness"].is_null(), "{before}");
@@ -61,13 +61,13 @@ fn spots_get_as_ragged_as_asked_and_keep_their_area_and_distance() {
 }
 
 #[test]
-fn stripes_get_ragged_and_neither_pieces_nor_holes_are_left_behind() {
+fn stripes_get_ragged_without_loose_pieces_or_holes() {
     let (plain, _) = grown(&stripes("wrap"), Edges::Wrap, "");
     let (ragged, region) = grown(&with_ragged(stripes("wrap"), 0.3), Edges::Wrap, "");
     assert!((ink(&ragged) / ink(&plain) - 1.0).abs() < 5e-3, "{} {}", ink(&ragged), ink(&plain));
     assert!(number(&region["error"], "raggedness").abs() < 0.05, "{region}");
     assert!(number(&region["error"], "width").abs() < 0.01, "{region}");
-    // Half of a disc as wide as the stripes, or as the gaps between them.
+    // Half of a disc with the width of the stripes, or of the gaps between them.
     let least = 0.4 * std::f64::consts::PI * 7.0 * 7.0;
     for above in [true, false] {
         let [before, after] = [&plain, &ragged].map(|field| smallest_piece(field, above));
@@ -75,8 +75,8 @@ fn stripes_get_ragged_and_neither_pieces_nor_holes_are_left_behind() {
     }
 }
 
-/// The px of the smallest piece of a tile that is above ½, or below: as it is seen, while the ruler's spline may cross ½
-/// between px.
+/// The number of px in the smallest piece of a seamless pattern that is above ½, or below. It is counted px by px,
+/// while the spline of the measurement may cross ½ between px.
 fn smallest_piece(field: &Field, above: bool) -> usize {
     let [nx, ny] = [field.width, field.height];
     let mut left: Vec<bool> = field.values.iter().map(|value| (*value >= 0.5) == above).collect();
@@ -99,7 +99,7 @@ fn smallest_piece(field: &Field, above: bool) -> usize {
 }
 
 #[test]
-fn ragged_edges_are_the_same_with_any_number_of_threads_and_none_is_as_it_grew() {
+fn ragged_edges_are_the_same_with_any_number_of_threads_and_without_them_nothing_changes() {
     let folder = Folder::with(&with_ragged(spots("meinhardt-spots", "wrap"), 0.3));
     let grown = [1, 3].map(|threads| {
         folder.grow(&format!("--threads {threads}"));
@@ -112,7 +112,7 @@ fn ragged_edges_are_the_same_with_any_number_of_threads_and_none_is_as_it_grew()
 }
 
 #[test]
-fn a_layer_above_keeps_off_the_ragged_marks_and_outlines_follow_them() {
+fn a_layer_above_does_not_touch_ragged_marks_and_outlines_follow_them() {
     let mut document = with_ragged(spots("meinhardt-spots", "wrap"), 0.35);
     let small = json!({"system": "meinhardt-spots",
         "strokes": [{"kind": "ellipse", "center": [60, 60], "radii": [6, 6]}, {"kind": "ellipse", "center": [84, 60], "radii": [6, 6]}]});
@@ -131,7 +131,7 @@ fn a_layer_above_keeps_off_the_ragged_marks_and_outlines_follow_them() {
 }
 
 #[test]
-fn what_is_asked_is_told_before_it_grows() {
+fn the_raggedness_that_is_asked_for_is_listed_before_growing() {
     let folder = Folder::with(&with_ragged(stripes("closed"), 0.3));
     let output = folder.dapple("check a.dapple --json").assert().success().get_output().clone();
     let checked: Value = serde_json::from_slice(&output.stdout).unwrap();

@@ -54,7 +54,7 @@ fn a_growth_beyond_the_free_memory_is_refused_with_the_numbers() {
     let before = folder.names();
     let arguments = "grow a.dapple -o a.png --size 65536x65536";
     let mut command = folder.dapple(arguments);
-    // Without the check it would take hours.
+    // Without the check this would take hours.
     let output = command.timeout(std::time::Duration::from_secs(60)).assert().code(1).get_output().clone();
     let message = String::from_utf8(output.stderr).unwrap();
     for word in ["65536×65536 px", "cells", "GB", "--size"] {
@@ -63,7 +63,7 @@ fn a_growth_beyond_the_free_memory_is_refused_with_the_numbers() {
     assert_eq!(folder.names(), before);
 }
 
-/// The limit of the address space is the process's own.
+/// The limit of the address space is for this process alone.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_growth_beyond_the_process_s_own_limit_is_refused_with_the_numbers() {

@@ -1,4 +1,4 @@
-//! Stripes that begin from segments or initiators instead of noise.
+//! Stripes that start from segments or initiators instead of noise.
 
 use dapple::document::Line;
 use dapple::document::{Document, Layer, LayerOptions, Seeding, Stroke};
@@ -64,7 +64,7 @@ fn stripes_from_segments_have_the_width_and_roughly_the_direction_of_the_lines()
 fn stripes_radiate_from_initiators_in_regular_order() {
     let line = Line { from: [90.0, 130.0], to: [200.0, 160.0], width: 8.0 };
     let (pattern, _) = grown(&[line], [1, 1], 300, seeded(Seeding::Initiators), 1);
-    // Parallel to the line beside it, round its ends beyond.
+    // Parallel to the line beside it, and around its ends beyond these.
     let wanted = |at: [f64; 2]| {
         let way = [line.to[0] - line.from[0], line.to[1] - line.from[1]];
         let off = [at[0] - line.from[0], at[1] - line.from[1]];
@@ -82,7 +82,7 @@ fn stripes_radiate_from_initiators_in_regular_order() {
     };
     let error = measure::stripe_errors(&pattern, 0.5, &target)[0];
     assert!(error.width.unwrap().abs() < 0.01 && error.angle_rms.unwrap() < 4.0, "{error:?}");
-    // The period is twice the width: stripes and gaps alternate outwards.
+    // The period is twice the width, because stripes and gaps alternate outwards.
     let dark = |k: usize| pattern.values[(145 + 16 * k) * 300 + 145 - 4 * k] > 0.5;
     let light = |k: usize| pattern.values[(153 + 16 * k) * 300 + 143 - 4 * k] < 0.5;
     assert!((0..6).filter(|k| dark(*k)).count() >= 5 && (0..6).filter(|k| light(*k)).count() >= 5);

@@ -1,4 +1,4 @@
-//! Strokes drawn by hand.
+//! Strokes like those drawn by hand.
 
 use crate::grow::folder::{Folder, document};
 use dapple::document::Edges;
@@ -6,7 +6,7 @@ use dapple_engine::marks::turn;
 use dapple_engine::measure;
 use serde_json::{Value, json};
 
-/// Points of an ellipse drawn by hand: a little off, and not quite closed.
+/// Points of an ellipse like one drawn by hand: slightly wrong, and not quite closed.
 fn outline([x, y]: [f64; 2], radii: [f64; 2], degrees: f64) -> Value {
     let (sin, cos) = degrees.to_radians().sin_cos();
     let points: Vec<[f64; 2]> = (0..28)

@@ -1,4 +1,4 @@
-//! Where drawn marks vary, grown ones vary as much, with the same means.
+//! Where drawn marks vary, grown marks vary equally, with the same means.
 
 use crate::grow::folder::{Folder, document, hexagon, spots};
 use dapple::document::Edges;
@@ -30,12 +30,13 @@ const SPARSE: Spots =
 const TURING: Spots =
     Spots { system: SystemChoice::Of(System::TURING_SPOTS.description()), aspect: 0.5, packing: 0.22 };
 
-/// 130 to 200 of them with this spread on a tile: what was measured, and the number of merged marks.
+/// Grows 130 to 200 of these spots with this spread on a seamless canvas: the measured spread, and the number of merged
+/// marks.
 fn grown(spots: Spots, spread: Spread, seed: u64) -> (SpotErrors, usize) {
     grown_about(150.0, spots, spread, seed)
 }
 
-/// The same of about so many.
+/// Grows about `number` of these spots on a seamless canvas: the measured spread, and the number of merged marks.
 fn grown_about(number: f64, spots: Spots, spread: Spread, seed: u64) -> (SpotErrors, usize) {
     let spacing = (300.0 / spots.packing).sqrt();
     let ellipse = |x: f64| Stroke::Ellipse(Ellipse::from_area([x, 200.0], 300.0, spots.aspect, 30.0));
@@ -75,7 +76,7 @@ fn spread_of(spots: Spots, asked: Spread) -> (Spread, [f64; 4]) {
     (got, worst)
 }
 
-/// Asserts that the spread is as asked, within the tolerance, and that the means are those of the drawing.
+/// Asserts that the spread is the asked one, within the tolerance, and that the means are those of the drawing.
 #[track_caller]
 fn varies(spots: Spots, asked: Spread, tolerance: Spread) {
     let (got, [area, aspect, angle, spacing]) = spread_of(spots, asked);
@@ -113,7 +114,7 @@ fn aspects_vary_as_asked() {
     }
 }
 
-/// So many are laid in fewer rounds.
+/// This number of spots is placed in fewer rounds.
 #[test]
 fn hundreds_of_spots_vary_as_asked_at_the_distance_asked() {
     for asked in [EVEN, Spread { area: 0.2, spacing: 0.15, ..EVEN }] {
@@ -123,13 +124,13 @@ fn hundreds_of_spots_vary_as_asked_at_the_distance_asked() {
         assert!(spacing.abs() < 0.015, "the mean spacing is off by {spacing}");
         let natural = asked.spacing == 0.0;
         assert!(natural || (got.spacing - asked.spacing).abs() < 0.02, "asked {asked:?}, got {got:?}");
-        // By themselves areas vary by 0.03.
+        // Without a spread, areas vary by 0.03.
         assert!((got.area - asked.area).abs() < 0.04, "asked {asked:?}, got {got:?}");
     }
 }
 
 #[test]
-fn distances_vary_as_asked_beyond_what_they_do_by_themselves() {
+fn distances_vary_as_asked_beyond_their_own_variation() {
     for (spots, spacing) in [(ROUNDISH, 0.14), (ROUNDISH, 0.16), (SPARSE, 0.16)] {
         varies(spots, Spread { spacing, ..EVEN }, Spread { spacing: 0.02, ..EVEN });
     }
@@ -142,7 +143,7 @@ fn all_vary_at_once() {
     varies(TURING, Spread { area: 0.25, angle: 12.0, aspect: 0.07, spacing: 0.0 }, tolerance);
 }
 
-/// Twelve ellipses about 110 px² in size and 35° in direction, no two alike.
+/// Twelve ellipses of about 110 px² and about 35°, all different.
 fn pebbles() -> Vec<Value> {
     let place = |k: u32| [40.0 + 34.0 * f64::from(k % 4), 44.0 + 34.0 * f64::from(k / 4)];
     let off = |k: u32, by: u32| f64::from((k * by + 3) % 12) / 5.5 - 1.0;
@@ -194,7 +195,7 @@ fn varied_drawn_marks_grow_varied_and_the_report_has_the_spread() {
         turn(region["got"]["angle"].as_f64().unwrap(), region["asked"]["angle"].as_f64().unwrap()).abs()
             < 1.0
     );
-    // Without a spread all spots are equal, except for drawn spots that are kept.
+    // Without a spread, all spots are equal, except for drawn spots that are kept.
     varied["layers"][0]["options"] = json!({"spread": 0, "keep": false});
     folder.write("a.dapple", &varied.to_string());
     folder.grow("--pattern even.png --report even.json");
@@ -210,7 +211,7 @@ fn without_a_spread_nothing_changes() {
     let mut even = spots();
     even["layers"][0]["options"] = json!({"spread": {"area": 0, "angle": 0}});
     folder.write("a.dapple", &even.to_string());
-    // Pictures alone: the documents in them differ.
+    // Only the pictures are compared, because the documents in them differ.
     folder.grow("--pattern even.png --no-document");
     assert!(folder.bytes("even.png") == folder.bytes("drawn.png"));
     even["layers"][0]["options"] = json!({"spread": 0.2});

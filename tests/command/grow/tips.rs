@@ -33,7 +33,7 @@ fn stripes_with_tips_have_the_drawn_width_period_and_direction() {
 }
 
 #[test]
-fn stucco_is_as_wide_as_the_drawn_marks_and_decay_makes_dots_of_worms() {
+fn stucco_has_the_width_of_the_drawn_marks_and_decay_turns_worms_into_dots() {
     let marks = [
         json!({"kind": "ellipse", "center": [100, 100], "radii": [12, 5], "angle": 20}),
         line([100.0, 100.0], [150.0, 120.0], 10.0),
@@ -74,7 +74,7 @@ fn threads_lie_over_and_under_and_keep_their_edges() {
         assert_eq!(*level > 0x8000, *plain > 0x8000, "edges move");
         assert!(plain <= level, "nothing is higher than without an order");
     }
-    // Beside a crossing, on the middles of the two threads: the one below is lower.
+    // Beside a crossing, on the centre lines of the two threads: the one below is lower.
     let at = |x: usize, y: usize| f64::from(plain[y * width + x]) / 65535.0;
     let beside = |[x, y]: [usize; 2]| {
         let along_x = at(x - 8, y) + at(x + 8, y);

@@ -1,4 +1,4 @@
-//! Pictures that drive patterns: the local share of ink is the tone, lines run along edges.
+//! Pictures that drive patterns: the local share of ink follows the tone, and lines run along edges.
 
 use crate::grow::folder::{Folder, spots};
 use crate::some;
@@ -20,7 +20,8 @@ fn driven(size: [u32; 2], tone: Tone) -> Document {
     Document::new(size).with_layer(Layer { tone: Some(tone), ..Layer::default() })
 }
 
-/// The same with so many stripes across the canvas, drawn as one line at `angle` degrees.
+/// A document that a picture drives, with `stripes` stripes across the canvas, which are drawn as one line at `angle`
+/// degrees.
 fn coarse(size: u32, stripes: f64, angle: f64, tone: Tone) -> Document {
     let middle = 0.5 * f64::from(size);
     let (s, c) = angle.to_radians().sin_cos();
@@ -37,7 +38,7 @@ fn json_of(document: &Document) -> Value {
     serde_json::from_str(&document.to_json()).expect("JSON")
 }
 
-/// What `dapple grow` reports of the lowest layer.
+/// The report of `dapple grow` on the lowest layer.
 fn reported(document: &Document) -> (Folder, Value) {
     let folder = Folder::with(&json_of(document));
     folder.grow("--report r.json --pattern p.png");
@@ -59,7 +60,7 @@ fn ink(pattern: &Field, [x, y]: [usize; 2], side: usize) -> f64 {
     px.iter().filter(|value| **value >= 0.5).count() as f64 / px.len() as f64
 }
 
-/// Compares and prints the errors of a picture, for the table of `docs/tone.md`.
+/// Compares and prints the errors of a picture, for the table in `docs/tone.md`.
 #[track_caller]
 fn is_within_the_bounds(name: &str, report: &Value) {
     let [near, far] = [0, 1].map(|blur| number(&report["correlation"][blur]));
@@ -73,7 +74,7 @@ fn is_within_the_bounds(name: &str, report: &Value) {
 
 #[test]
 fn tones_and_directions_of_pictures_are_within_the_bounds() {
-    // All of them with DAPPLE_ALL=1; printed with --nocapture.
+    // DAPPLE_ALL=1 tries all of them; --nocapture prints the errors.
     println!("| picture | ½ λ | λ | direction |");
     for (name, light) in some(ALL, 2) {
         let (_, report) = reported(&driven([448; 2], Tone::new(image(&picture([SIDE; 2], light)))));
@@ -94,8 +95,8 @@ fn tones_and_directions_of_pair_stripes_are_within_the_bounds() {
 }
 
 #[test]
-fn no_smudge_is_painted_where_lines_end() {
-    // Where a line ends between two others the relief has a saddle. Wider than an edge, no px may be gray.
+fn no_gray_area_is_painted_where_lines_end() {
+    // Where a line ends between two others, the relief has a saddle. No gray area may be wider than an edge.
     let side = 512;
     let folder = Folder::with(&json_of(&driven([side; 2], Tone::new(image(&picture([SIDE; 2], face))))));
     picture([SIDE; 2], face).save(folder.path("face.png")).unwrap();
@@ -161,7 +162,7 @@ fn lines_run_along_the_rings_of_a_picture_whatever_was_drawn() {
         turns.push(turn(direction(&pattern, at, 14), 15.0 * f64::from(step) + 90.0));
     }
     turns.sort_by(f64::total_cmp);
-    // Two periods of curved lines hardly say more.
+    // With only two periods of curved lines, no closer bound is possible.
     assert!(turns[12] < 8.0 && turns[21] < 15.0, "{turns:?}");
 }
 
@@ -188,14 +189,14 @@ fn the_weight_of_the_sketch_decides_between_the_picture_and_the_drawn_line() {
 }
 
 #[test]
-fn what_is_not_driven_does_not_follow_the_picture() {
+fn attributes_that_are_not_driven_do_not_follow_the_picture() {
     let tone = |drives: Drives| Tone { drives, ..plain(&picture([SIDE; 2], |u, _| u)) };
     let only = Drives { level: false, direction: true, spacing: false };
     let (folder, _) = reported(&coarse(256, 20.0, 20.0, tone(only)));
     let pattern = folder.pattern("p.png", Edges::Closed);
     let [left, right] = [40, 216].map(|x| ink(&pattern, [x, 128], 70));
     assert!((left - right).abs() < 0.06, "{left} {right}");
-    // Along the edges of this picture lines would stand upright.
+    // Along the edges of this picture, lines would be vertical.
     let only = Drives { level: true, direction: false, spacing: false };
     let (folder, report) = reported(&coarse(256, 20.0, 20.0, tone(only)));
     let found = direction(&folder.pattern("p.png", Edges::Closed), [128, 128], 50);
@@ -251,18 +252,18 @@ fn spots_carry_tones_by_their_size() {
 }
 
 #[test]
-fn dots_are_more_where_the_picture_is_darker_if_it_drives_their_spacing() {
+fn there_are_more_dots_where_the_picture_is_darker_if_it_drives_their_spacing() {
     let (folder, report) = reported(&dots(Drives { level: true, direction: false, spacing: true }));
     let pattern = folder.pattern("p.png", Edges::Closed);
     let [light, dark] = [0..128, 128..256].map(|columns| pieces(&pattern, columns) as f64);
-    // As many times more as there is more ink, within the limits of how near dots can be.
+    // The number of dots grows in proportion to the ink, within the limits of how close dots can be.
     assert!((2.2..4.5).contains(&(dark / light)), "{light} {dark}");
     assert!(number(&report["correlation"][1]) > 0.995, "{report}");
 }
 
 #[test]
 fn a_wider_picture_shows_its_middle() {
-    // White but for a black band in the middle third.
+    // White, except for a black band in the middle third.
     let gray = picture([300, 100], |u, _| if (1.0 / 3.0..2.0 / 3.0).contains(&u) { 0.0 } else { 1.0 });
     let (folder, _) = reported(&coarse(200, 16.0, 0.0, plain(&gray)));
     let pattern = folder.pattern("p.png", Edges::Closed);
@@ -323,7 +324,7 @@ fn a_picture_painted_as_ink_on_paper_has_the_tone_of_the_picture() {
 }
 
 #[test]
-fn what_goes_with_no_picture_is_refused_with_the_reason() {
+fn settings_that_are_not_allowed_with_a_picture_are_refused_with_the_reason() {
     let least = json_of(&driven([96; 2], Tone::new(image(&picture([8; 2], eye)))));
     let with = |change: &dyn Fn(&mut Value)| {
         let mut document = least.clone();
@@ -373,7 +374,7 @@ fn outlines_of_a_picture_in_lines_are_paths() {
 }
 
 #[test]
-fn check_says_what_drives_a_layer() {
+fn check_lists_what_drives_a_layer() {
     let folder = Folder::with(&json_of(&driven([224; 2], Tone::new(image(&picture([80, 60], eye))))));
     let output = folder.dapple("check a.dapple").assert().success().get_output().clone();
     let text = String::from_utf8(output.stdout).unwrap();

@@ -1,4 +1,4 @@
-//! Turing's growth: a picture or a map drives it, and Lawlor's documents.
+//! The system Turing's growth, driven by a picture or a map, and Lawlor's documents.
 
 use std::path::Path;
 
@@ -20,7 +20,7 @@ fn image(gray: &GrayImage) -> ToneImage {
     ToneImage::new(size, gray.as_raw().clone()).expect("a small picture")
 }
 
-/// 256 × 256 px of Turing's growth, whose marks are as far apart as one ellipse says.
+/// A document of 256 × 256 px of Turing's growth, whose marks have the distance of one ellipse.
 fn growth(layer: Layer) -> Document {
     let mark = Stroke::ellipse([128.0, 128.0], [2.5, 2.5], 0.0);
     Document::new([256; 2]).with_layer(Layer {
@@ -34,7 +34,7 @@ fn json_of(document: &Document) -> Value {
     serde_json::from_str(&document.to_json()).expect("JSON")
 }
 
-/// The folder of a growth, and what `dapple grow` reports of its layer.
+/// The folder of a growth, and the report of `dapple grow` on its layer.
 fn grown(document: &Document) -> (Folder, Value) {
     let folder = Folder::with(&json_of(document));
     folder.grow("--report r.json --pattern p.png");
@@ -54,7 +54,7 @@ fn ink(pattern: &Field, columns: std::ops::Range<usize>) -> f64 {
 }
 
 #[test]
-fn a_tone_has_its_ink_and_dots_become_worms_become_holes() {
+fn a_tone_gets_its_share_of_ink_and_dots_change_to_worms_and_to_holes() {
     println!("| picture | ½ λ | λ |");
     let formulas = some(ALL, 2).into_iter().map(|(name, light)| (name, image(&picture([SIDE; 2], light))));
     for (name, picture) in formulas.chain([("portrait", embedded(PORTRAIT, of_tone))]) {
@@ -73,7 +73,7 @@ fn a_tone_has_its_ink_and_dots_become_worms_become_holes() {
 
 #[test]
 fn the_share_of_ink_follows_a_map_of_the_growth() {
-    // As stored, from black on the left to white on the right.
+    // The map has the stored values, from black on the left to white on the right.
     let ramp = GrayImage::from_fn(256, 2, |x, _| image::Luma([x as u8]));
     let source = MapSource::Image { image: image(&ramp), factor: false };
     let layer = Layer::default().with_map(MapKey::Growth, LayerMap { source, range: [18.0, 27.0] });
@@ -134,7 +134,7 @@ fn the_pictures_in_examples_are_rendered_from_our_own_formulas() {
     ] {
         let found = embedded(file, of);
         assert_eq!(found.size(), [256; 2], "{file}");
-        // Every fourth px of every fourth row: the portrait takes its time.
+        // Only every fourth px of every fourth row, because the portrait takes long.
         let places = (1..256).step_by(4).flat_map(|y| (1..256).step_by(4).map(move |x| [x, y]));
         // The last bits of sines differ between machines.
         let off = |[x, y]: [u32; 2]| {

@@ -11,7 +11,7 @@ fn line(middle: [f64; 2], angle: f64, length: f64, width: f64) -> Value {
     json!({"kind": "line", "from": end(-0.5 * length), "to": end(0.5 * length), "width": width})
 }
 
-/// Three lines side by side of each direction: angle, width, period.
+/// A document with three lines side by side of each direction: angle, width, period.
 fn weave(size: u32, directions: &[(f64, f64, f64)]) -> Value {
     let middle = 0.5 * f64::from(size);
     let mut strokes = Vec::new();
@@ -46,7 +46,7 @@ fn threads_are_as_wide_and_far_apart_as_drawn_and_lie_where_they_were_drawn() {
             assert!(near("width", width) && near("wavelength", period), "{threads}");
             assert!((asked["angle"].as_f64().unwrap() - angle).abs() < 0.5, "{threads}");
             let error = |key: &str| threads["error"][key].as_f64().unwrap().abs();
-            // Ten threads or so: half a one more or less is 5 %.
+            // There are about ten threads: half a thread more or less is 5 %.
             assert!(error("width") < 0.04 && error("wavelength") < 0.05, "{threads}");
             assert!(error("angle") < 0.7 && error("angle_rms") < 2.0, "{threads}");
         }
@@ -56,7 +56,7 @@ fn threads_are_as_wide_and_far_apart_as_drawn_and_lie_where_they_were_drawn() {
 }
 
 #[test]
-fn the_picture_shows_the_threads_that_the_report_says() {
+fn the_picture_shows_the_threads_of_the_report() {
     let (folder, report) = report(&weave(256, &[(0.0, 7.0, 28.0), (70.0, 7.0, 24.0)]));
     folder.grow("--pattern p.png");
     let share = pattern_share(&folder.path("p.png"));

@@ -1,10 +1,10 @@
-//! Stripes that cover more than half of their period: the gaps between lines that grow.
+//! Stripes that cover more than half of their period: the simulation grows the gaps between them, as lines.
 
 use crate::grow::folder::Folder;
 use dapple_engine::grid::{Edges, Field};
 use serde_json::{Value, json};
 
-/// A document of free marks.
+/// A document with free marks.
 fn document(layers: &Value) -> Value {
     json!({"format": "dapple", "version": 2, "size": [300, 300], "layers": layers})
 }
@@ -13,7 +13,7 @@ fn line(from: [f64; 2], to: [f64; 2], width: f64) -> Value {
     json!({"kind": "line", "from": from, "to": to, "width": width})
 }
 
-/// The first layer of the report of `document`, and its pattern; `more` arguments.
+/// The first layer in the report of `document`, and its pattern; `more` are further arguments.
 #[track_caller]
 fn grown(document: &Value, more: &str) -> (Value, Field) {
     let folder = Folder::with(document);
@@ -29,7 +29,7 @@ fn all_there(layer: &Value) {
     assert!(drawn.iter().all(|mark| mark["there"] == true && mark["off"] == 0.0), "{drawn:?}");
 }
 
-/// Asserts that the width of each region is met to 0.5 %, and its period to `period`.
+/// Asserts that the width of each region is within 0.5 % of the asked one, and its period within the share `period`.
 #[track_caller]
 fn met(layer: &Value, period: f64) {
     assert_eq!((&layer["system"], &layer["inverted"]), (&json!("meinhardt-lines"), &json!(true)));
@@ -39,7 +39,7 @@ fn met(layer: &Value, period: f64) {
     }
 }
 
-/// Where the stripes of column `x` begin and end between the rows `rows`, px.
+/// The rows at which the stripes of column `x` begin and end, among the rows `rows`, px.
 fn edges(pattern: &Field, x: usize, rows: std::ops::Range<usize>) -> Vec<f64> {
     let value = |y: usize| f64::from(pattern.values[y * pattern.width + x]) - 0.5;
     let crossing = |y: usize| {
@@ -123,7 +123,7 @@ fn wide_stripes_leave_ground_round_the_marks_beneath_and_keep_their_width_betwee
     let width = &above["regions"][0]["error"]["width"];
     assert!(width.as_f64().unwrap().abs() < 0.02, "{width}");
     let [beneath, above] = ["beneath.png", "above.png"].map(|name| folder.pattern(name, Edges::Closed));
-    // Two px from a mark there is no stripe yet: the gaps between stripes are 5 px wide.
+    // Two px from a mark there is no stripe yet, because the gaps between stripes are 5 px wide.
     let mark = |x: usize, y: usize| beneath.values[y * 300 + x] >= 0.5;
     let near = |x: usize, y: usize| {
         [[2, 0], [0, 2], [4, 2], [2, 4]].iter().any(|[dx, dy]| mark(x + dx - 2, y + dy - 2))
@@ -149,7 +149,7 @@ fn a_line_that_asks_for_thin_stripes_among_wide_ones_is_named_before_it_grows() 
 }
 
 #[test]
-fn looked_up_wide_stripes_are_told_with_the_parameters_of_the_gaps() {
+fn a_lookup_of_wide_stripes_gives_the_parameters_of_the_gaps_and_says_so() {
     let folder = Folder::new();
     let looked_up = |duty: &str, width: &str| -> Value {
         let question =

@@ -29,7 +29,7 @@ fn a_rectangle_behind_everything_is_the_ground_and_fills_are_the_colours() {
 }
 
 #[test]
-fn outlines_with_their_ground_come_back_as_they_were() {
+fn outlines_with_their_ground_are_imported_unchanged() {
     let bench = Bench::new();
     bench.does("grow a.dapple -o a.svg --ground");
     let drawn = bench.text("a.svg").matches("<path").count();

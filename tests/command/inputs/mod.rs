@@ -1,4 +1,4 @@
-//! What people bring: pipes, drawings, pictures and tables of other programs, values on the command line.
+//! Inputs of users: pipes; drawings, pictures and tables of other programs; values on the command line.
 
 mod drawings;
 mod errors;

@@ -1,10 +1,11 @@
-//! Pictures of other programs.
+//! Pictures from other programs.
 
 use crate::outlines::bench::Bench;
 use image::{ImageBuffer, Luma, Rgb, RgbImage, Rgba, RgbaImage};
 use serde_json::Value;
 
-/// How far outside of the nearest of the ellipses of radii 9 and 6 along 30° on a lattice of 32 px.
+/// The signed distance of a px from the nearest ellipse (radii 9 and 6, at 30°, on a lattice of 32 px); positive
+/// outside.
 fn out(x: u32, y: u32) -> f64 {
     let near = |x: u32| (f64::from(x) + 0.5).rem_euclid(32.0) - 16.0;
     let (sin, cos) = 30_f64.to_radians().sin_cos();
@@ -12,7 +13,7 @@ fn out(x: u32, y: u32) -> f64 {
     ((x * cos + y * sin) / 9.0).hypot((y * cos - x * sin) / 6.0)
 }
 
-/// The share of a mark in a px.
+/// The share of a px that marks cover.
 fn share(x: u32, y: u32) -> f64 {
     (0.5 + 7.0 * (1.0 - out(x, y))).clamp(0.0, 1.0)
 }
@@ -30,7 +31,7 @@ fn has_64_spots(found: &Value, name: &str) {
 }
 
 #[test]
-fn what_is_transparent_is_ground() {
+fn transparent_px_are_ground() {
     let bench = Bench::new();
     for (name, colour) in [("dark.png", [40, 20, 10]), ("light.png", [250, 240, 230])] {
         let [r, g, b] = colour;
@@ -53,7 +54,7 @@ fn a_transparent_texture_is_measured_as_the_opaque_one() {
 }
 
 #[test]
-fn gray_of_16_bits_is_read_as_that_of_8_bits() {
+fn gray_of_16_bits_is_read_like_gray_of_8_bits() {
     let bench = Bench::new();
     let tone = |x, y| 0.70 - 0.20 * share(x, y);
     let deep: ImageBuffer<Luma<u16>, Vec<u16>> =
@@ -69,7 +70,7 @@ fn gray_of_16_bits_is_read_as_that_of_8_bits() {
 }
 
 #[test]
-fn black_and_white_of_16_bits_is_read_as_a_pattern_with_a_word() {
+fn black_and_white_of_16_bits_is_read_as_a_pattern_with_a_note() {
     let bench = Bench::new();
     let full: ImageBuffer<Luma<u16>, Vec<u16>> =
         ImageBuffer::from_fn(256, 256, |x, y| Luma([(65535.0 * share(x, y)) as u16]));
@@ -128,7 +129,7 @@ fn dots_of_many_colours_on_a_dark_cloth_with_dust_are_spots() {
 }
 
 #[test]
-fn every_picture_that_is_cut_short_is_refused_alike() {
+fn every_truncated_picture_is_refused_with_the_same_message() {
     let bench = Bench::new();
     let picture = RgbImage::from_fn(96, 96, |x, y| Rgb([(220.0 - 180.0 * share(x, y)) as u8; 3]));
     for name in ["a.png", "a.jpg", "a.tif", "a.gif", "a.bmp", "a.webp"] {
@@ -146,7 +147,7 @@ fn every_picture_that_is_cut_short_is_refused_alike() {
 }
 
 #[test]
-fn files_that_are_no_pictures_are_named_with_what_to_do() {
+fn files_that_are_not_pictures_are_named_with_the_remedy() {
     let bench = Bench::new();
     for (name, bytes, words) in [
         (

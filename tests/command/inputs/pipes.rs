@@ -30,13 +30,13 @@ fn every_command_reads_standard_input_and_writes_to_standard_output() {
     assert!(text("check -", SPOTS.as_bytes()).contains("valid"));
     assert!(text("link -", SPOTS.as_bytes()).contains("#dapple1="));
     assert!(text("measure - --patches", &picture).contains("whole"));
-    // Documents of version 1 keep their marks, which a tone does not.
+    // Documents of version 1 are used, because they keep their marks; a tone does not.
     bench.write("tone.dapple", &SPOTS.replace("\"version\": 1", "\"version\": 2"));
     assert!(piped(&bench, "grow tone.dapple --tone - -o -", picture).starts_with(b"\x89PNG"));
 }
 
 #[test]
-fn two_things_on_standard_output_and_many_pictures_there_are_refused() {
+fn two_outputs_or_many_pictures_on_standard_output_are_refused() {
     let bench = Bench::new();
     bench.refuses("grow a.dapple -o - --report -", 2, &["found - twice"]);
     bench.refuses("grow a.dapple --variations 2 -o -", 2, &["standard output, which takes one picture"]);

@@ -5,7 +5,7 @@ use dapple::ReadFile;
 use dapple::document::Document;
 
 #[test]
-fn a_value_on_the_command_line_stands_in_place_of_that_in_the_document() {
+fn a_value_on_the_command_line_replaces_that_in_the_document() {
     let bench = Bench::new();
     let text = bench.text("a.dapple").replace("\"edges\": \"wrap\"", "\"edges\": \"closed\", \"seed\": 7");
     bench.write("changed.dapple", &text);
@@ -13,7 +13,7 @@ fn a_value_on_the_command_line_stands_in_place_of_that_in_the_document() {
     bench.does("grow changed.dapple -o changed.png");
     bench.does(&format!("grow a.dapple -o a.png {set}"));
     assert!(std::fs::read(bench.path("a.png")).unwrap() == std::fs::read(bench.path("changed.png")).unwrap());
-    // The picture holds what was grown.
+    // The picture holds the document that was grown.
     bench.does(
         "grow a.png -o again.png --set layers[0].colours=#fff,#102030 --set layers[0].options.ragged=.2",
     );
@@ -39,7 +39,7 @@ fn a_value_on_the_command_line_stands_in_place_of_that_in_the_document() {
 }
 
 #[test]
-fn a_value_is_checked_as_one_in_a_file_is() {
+fn a_value_is_checked_like_one_in_a_file() {
     let bench = Bench::new();
     for command in ["grow a.dapple -o x.png", "check a.dapple", "film a.dapple -o x.gif", "link a.dapple"] {
         let place = "a.dapple: layers[0].options.ragged: found 9; allowed:";

@@ -4,7 +4,7 @@ use assert_cmd::Command;
 use std::path::PathBuf;
 use tempfile::TempDir;
 
-/// Two long spots and a round one in a tile of 128 × 96 px.
+/// Two long spots and a round one on a seamless canvas of 128 × 96 px.
 pub const SPOTS: &str = r#"{"format": "dapple", "version": 1, "name": "a <b> & \"c\"", "size": [128, 96], "edges": "wrap",
     "layers": [{"name": "big spots", "strokes": [
         {"kind": "ellipse", "center": [30, 30], "radii": [9, 6], "angle": 30},
@@ -54,7 +54,7 @@ impl Bench {
         String::from_utf8(output.stdout).unwrap()
     }
 
-    /// Asserts that it fails with this code and these words, and writes nothing.
+    /// Asserts that `dapple` fails with this code and these words, and writes nothing.
     #[track_caller]
     pub fn refuses(&self, arguments: &str, code: i32, words: &[&str]) {
         let files = || std::fs::read_dir(self.0.path()).unwrap().count();

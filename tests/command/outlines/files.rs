@@ -39,14 +39,14 @@ fn an_svg_has_a_group_for_each_layer_and_is_in_mm_by_default() {
     let outlines = &report["outlines"];
     assert_eq!(outlines["unit"], "mm");
     assert!(outlines["pen_up"].as_f64() < outlines["pen_up_unordered"].as_f64(), "{outlines}");
-    // The paths are separated by fill rule, but filled in the same way.
+    // The paths are separated by fill rule; the filled areas are the same.
     let tree = usvg::Tree::from_str(&text, &usvg::Options::default()).unwrap();
     let [Node::Group(root)] = tree.root().children() else { panic!("no group") };
     assert!(root.has_children());
 }
 
 #[test]
-fn styles_ends_and_sizes_are_as_requested() {
+fn styles_line_ends_and_sizes_are_as_requested() {
     let bench = Bench::new();
     let drawn = |more: &str| {
         bench.does(&format!("grow a.dapple --svg b.svg --units px --no-refine --quiet {more}"));
@@ -129,7 +129,7 @@ fn contradictory_options_are_refused_before_anything_grows() {
     bench.refuses("grow a.dapple -o a.svg --style dots", 2, &["--style", "hatch:SPACING"]);
     bench.refuses("grow a.dapple -o a.svg --level 1.5", 2, &["--level", "below 1"]);
     bench.refuses("grow a.dapple -o a.png --layer 1", 2, &["--layer", "--pattern"]);
-    // 2·10⁹ strokes.
+    // The hatch would have 2·10⁹ strokes.
     let dense = "--size 60000x60000 --units px --style hatch:0.1";
     bench.refuses(&format!("grow a.dapple -o a.svg {dense}"), 1, &["hatch", "GB are free", "larger spacing"]);
 }

@@ -17,7 +17,7 @@ use std::path::Path;
 
 /// Side of the canvas that they are grown on, px.
 const SIDE: u32 = 200;
-/// Samples a px along each side that the outlines are compared with.
+/// Samples per px along each side, with which the outlines are compared.
 const FINE: usize = 6;
 
 /// All examples, those of the gallery too.
@@ -55,7 +55,7 @@ fn outlined(document: &Document, grown: &Grown, level: f64) -> Vec<Group> {
     outlines(document, grown, &wanted, &Watch::NONE).unwrap().0
 }
 
-/// Which layer's mark covers each px, at `scale` times the px.
+/// The layer whose mark covers each px, at `scale` times the px.
 fn labels(document: &Document, grown: &Grown, scale: usize) -> Vec<u8> {
     let painting = Painting::new(document, grown, scale);
     let mut labels = vec![0; painting.size[0] * painting.size[1]];
@@ -84,7 +84,7 @@ fn painted(groups: &[Group]) -> Vec<f64> {
     pixmap.pixels().iter().map(|px| f64::from(px.alpha()) / 255.0).collect()
 }
 
-/// px² that the paths of an SVG enclose: holes have the opposite direction.
+/// The area that the paths of an SVG enclose, px²; holes have the opposite direction.
 pub fn enclosed(group: &usvg::Group) -> f64 {
     let each = |node: &Node| match node {
         Node::Group(group) => enclosed(group),
@@ -120,7 +120,7 @@ pub fn enclosed(group: &usvg::Group) -> f64 {
     group.children().iter().map(each).sum()
 }
 
-/// By de Casteljau.
+/// A point of a Bézier curve, by de Casteljau's algorithm.
 fn bezier(control: [[f64; 2]; 4], t: f64) -> [f64; 2] {
     let mut points = control.to_vec();
     while points.len() > 1 {
@@ -133,7 +133,7 @@ fn bezier(control: [[f64; 2]; 4], t: f64) -> [f64; 2] {
 }
 
 #[test]
-fn outlines_enclose_the_area_of_the_pattern_and_are_painted_as_it() {
+fn outlines_enclose_the_area_of_the_pattern_and_are_painted_like_it() {
     let examples = examples();
     assert!(examples.len() >= 53, "{}", examples.len());
     let complaints: Vec<String> = some(examples, 3).par_iter().flat_map(|name| complaints(name)).collect();
@@ -150,7 +150,7 @@ fn complaints(name: &str) -> Vec<String> {
     for (index, layer) in document.layers.iter().enumerate() {
         let count = fine.iter().filter(|label| usize::from(**label) == index + 1).count();
         let wanted = count as f64 / samples;
-        // A hidden layer has no group and no px.
+        // A hidden layer has no group and covers no px.
         if wanted == 0.0 {
             continue;
         }
@@ -177,8 +177,9 @@ fn complaints(name: &str) -> Vec<String> {
         [worst % side, worst / side]
     );
     println!("{output}");
-    // Both are sampled, by 6 × 6 points here and by resvg on 4 lines a px: half a step of both is 1/12 + 1/8, at an edge
-    // along the rows of all px. A corner has two edges: where a thread ends at another, a px or two may differ twice as much.
+    // Both are sampled: here by 6 × 6 points, by resvg on 4 lines per px. Half a step of both is 1/12 + 1/8, which is
+    // the error at an edge along the rows of all px. A corner has two edges: where a thread ends at another one, a px
+    // or two may differ by twice as much.
     let corners = off.iter().filter(|off| **off > 0.25).count();
     if mean > 0.1 || corners > 2 || most > 0.42 {
         complaints.push(output);
@@ -216,8 +217,8 @@ fn the_hatch_of_a_tile_continues_across_its_seams() {
             .collect();
         let mut met = 0;
         for axis in [0, 1] {
-            // Where a stroke ends at one side, another begins at the opposite side, except that a stroke may be too short to be
-            // drawn where a mark's edge meets the border.
+            // Where a stroke ends at one side, another one begins at the opposite side. Exception: a stroke may be too
+            // short to be drawn where the edge of a mark meets the border.
             let [low, high] = [0.0, side].map(|place| along(&ends, axis, place));
             let corners: Vec<f64> =
                 [0.0, side].iter().flat_map(|place| along(&knots, axis, *place)).collect();

@@ -31,7 +31,7 @@ fn an_svg_becomes_a_document_that_grows() {
 }
 
 #[test]
-fn shapes_over_the_border_stay_where_they_are_and_those_that_are_no_ellipses_keep_their_outline() {
+fn shapes_over_the_border_stay_and_shapes_that_are_not_ellipses_keep_their_outline() {
     let bench = Bench::new();
     bench.write(
         "in.svg",
@@ -59,7 +59,7 @@ fn shapes_over_the_border_stay_where_they_are_and_those_that_are_no_ellipses_kee
 }
 
 #[test]
-fn outlines_are_imported_as_the_marks_that_were_grown() {
+fn exported_outlines_are_imported_as_the_grown_marks() {
     let bench = Bench::new();
     bench.does("grow a.dapple -o a.svg --no-refine --units px --quiet");
     let output = bench.does("import a.svg -o b.dapple");

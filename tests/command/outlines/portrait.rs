@@ -1,4 +1,4 @@
-//! Portraits for plotters: what their SVG draws has the tone of the picture.
+//! Portraits for plotters: the drawing of the SVG has the tone of the picture.
 
 use crate::outlines::bench::Bench;
 use dapple::ReadFile;
@@ -10,14 +10,15 @@ use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg;
 use std::path::Path;
 
-/// Correlation and mean difference after blurring by half a wavelength and by one.
+/// Correlation and mean difference, after blurring by half a wavelength and by one.
 type Errors = [(f64, f64); 2];
 
-/// px of the raster, each way, to a px of the tone: where the edges of two strokes share a px, less than both together is seen of them.
+/// px of the raster for each px of the tone, along each side. Where the edges of two strokes share a px, less is
+/// visible than both strokes cover together.
 const FINER: usize = 4;
 
-/// What the SVG of an example draws: its errors against the tone that is asked for, and the lengths of the pen's ways in the air, mm, as drawn
-/// and in the order in which the paths were found.
+/// The drawing of an example's SVG: its errors compared with the tone that is asked for, and the distances that the pen
+/// moves without drawing, mm, in the order of the file and in the order in which the paths were found.
 fn drawn(name: &str, style: &str) -> (Errors, [f64; 2]) {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("examples/{name}.dapple"));
     let document = Document::read(file).unwrap();
@@ -62,12 +63,12 @@ fn the_filled_outlines_of_a_portrait_have_its_tone() {
 }
 
 #[test]
-fn the_hatch_of_a_portrait_has_its_tone_with_a_pen_that_has_a_width() {
+fn the_hatch_of_a_portrait_has_its_tone_with_a_pen_of_this_width() {
     has_the_tone("portrait", drawn("portrait", "--style hatch:0.25:45 --pen 0.3").0);
 }
 
 #[test]
-fn stipples_have_the_tone_and_the_pen_travels_a_tenth_of_the_way() {
+fn stipples_have_the_tone_and_ordering_reduces_the_pen_travel_to_a_tenth() {
     let (errors, [ordered, found]) = drawn("stipples", "");
     has_the_tone("stipples", errors);
     assert!(ordered < 0.1 * found, "{ordered} of {found} mm");

@@ -1,16 +1,16 @@
-//! What a camera and a file format do to a picture: fractal background, vignette, blur, noise, JPEG.
+//! Effects of a camera and a file format on a picture: fractal background, vignette, blur, noise, JPEG.
 
 use image::RgbImage;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-/// Share of the brightness that the fractal background changes.
+/// The share of the brightness that the fractal background changes.
 const FRACTAL: f64 = 0.08;
 /// Brightness at the corners ÷ that in the middle.
 const CORNERS: f64 = 0.45;
 /// Standard deviation of the blur, px.
 const BLUR: f64 = 1.5;
-/// Standard deviation of the noise, of 1.
+/// Standard deviation of the noise, relative to full brightness.
 const NOISE: f64 = 0.07;
 /// Quality of the JPEG.
 const JPEG: u8 = 55;
@@ -42,12 +42,12 @@ pub fn degraded(picture: &RgbImage, seed: u64) -> Vec<u8> {
     bytes
 }
 
-/// Normally distributed (the sum of twelve even ones, less 6).
+/// A normally distributed number (the sum of twelve uniform ones, minus 6).
 pub fn normal(random: &mut impl Rng) -> f64 {
     (0..12).map(|_| random.random::<f64>()).sum::<f64>() - 6.0
 }
 
-/// Value noise of six octaves, each half as strong as the one before; variance about 1.
+/// Value noise of six octaves, each with half the amplitude of the one before; its variance is about 1.
 pub fn fractal([width, height]: [usize; 2], random: &mut impl Rng) -> Vec<f64> {
     let mut sum = vec![0.0; width * height];
     let (mut cell, mut strength) = (width.max(height) as f64 / 2.0, 1.0);
@@ -71,7 +71,7 @@ pub fn fractal([width, height]: [usize; 2], random: &mut impl Rng) -> Vec<f64> {
     sum
 }
 
-/// Blurred by a Gaussian of [`BLUR`] px; beyond the border as on it.
+/// The plane, blurred by a Gaussian of [`BLUR`] px; beyond the border, the values of the border are repeated.
 fn blurred(plane: &[f64], [width, height]: [usize; 2]) -> Vec<f64> {
     let weights: Vec<f64> = (-5..=5).map(|i| (-0.5 * (f64::from(i) / BLUR).powi(2)).exp()).collect();
     let total: f64 = weights.iter().sum();

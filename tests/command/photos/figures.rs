@@ -1,4 +1,4 @@
-//! The tables of `docs/photos.md`: photographs of textures whose numbers are known, against what was grown.
+//! The tables of `docs/photos.md`: photographs of textures whose attributes are known, compared with these.
 //!
 //!     cargo test --release --test command -- --ignored --nocapture figures
 
@@ -22,13 +22,13 @@ use crate::photos::random;
 
 /// Random documents.
 const RANDOM: u64 = 60;
-/// The angle by which the camera is tilted, degrees, and its distance in picture widths.
+/// The angle by which the camera is tilted, degrees, and its distance, in picture widths.
 const TILT: f64 = 10.0;
 const DISTANCE: f64 = 2.0;
-/// What is left out along the sides, as shares of width and height: a part of it leaves the oblique picture.
+/// The margins that are left out, as shares of width and height, because a part of them is outside the oblique picture.
 const INSET: [f64; 2] = [0.06, 0.02];
 
-/// Errors from which on a document is named, by attribute.
+/// Errors from which on a document is named, for each attribute.
 const LARGE: [f64; 6] = [0.06, 0.04, 0.03, 1.0, 0.1, 1.0];
 
 /// Errors of one series, by attribute.
@@ -44,7 +44,7 @@ impl Errors {
         [0, 1, 2, 3, 4, 5].map(|k| self.all[k].len())
     }
 
-    /// Prints the largest errors of what was added after `before`, where they are large.
+    /// Prints the largest errors among those that were added after `before`, where they are large.
     fn print_worst(&self, name: &str, before: [usize; 6]) {
         for k in 0..6 {
             let worst = self.all[k][before[k]..].iter().copied().fold(0.0, f64::max);
@@ -95,7 +95,7 @@ fn raster(picture: &RgbImage) -> Raster {
     }
 }
 
-/// The picture as a camera sees it that is tilted, and the corners of the canvas in it.
+/// The picture, as a tilted camera sees it, and the corners of the canvas in it.
 fn tilted(picture: &RgbImage) -> (RgbImage, Corners) {
     let (width, height) = (f64::from(picture.width()), f64::from(picture.height()));
     let (sin, cos) = TILT.to_radians().sin_cos();
@@ -124,14 +124,14 @@ fn tilted(picture: &RgbImage) -> (RgbImage, Corners) {
     (rgb, Corners(corners))
 }
 
-/// A texture whose numbers are known, and where it lies in what is read.
+/// A texture whose attributes are known, and its place in the part that is read.
 struct Known<'a> {
     report: &'a LayerReport,
     /// Width and height of the canvas, px.
     size: [f64; 2],
     /// Columns and rows.
     grid: [usize; 2],
-    /// Where the reading's corner lies on the canvas, px, and px of the canvas a px of the reading.
+    /// The place of the reading's corner on the canvas, px, and the number of px of the canvas per px of the reading.
     offset: [f64; 2],
     scale: [f64; 2],
 }
@@ -148,7 +148,7 @@ impl<'a> Known<'a> {
         place[1] * self.grid[0] + place[0]
     }
 
-    /// The region of a place of the reading.
+    /// The region of the canvas in which a place of the reading lies.
     fn region_of(&self, place: [f64; 2]) -> usize {
         let at = |k: usize| {
             let share = (self.offset[k] + place[k] * self.scale[k]) / self.size[k];
@@ -157,7 +157,7 @@ impl<'a> Known<'a> {
         self.number([at(0), at(1)])
     }
 
-    /// px of the canvas a px of the reading, on average.
+    /// px of the canvas per px of the reading, on average.
     fn px(&self) -> f64 {
         (self.scale[0] * self.scale[1]).sqrt()
     }
@@ -186,7 +186,7 @@ impl<'a> Known<'a> {
         if got.aspect < 0.85 {
             errors.all[3].push(turn(spots.angle, got.angle).abs());
         }
-        // The report weights edges by the spacing that was asked at their midpoints.
+        // The report weights edges by the spacing that was asked for at their midpoints.
         let nearest = |place: [f64; 2]| {
             let here =
                 self.report.regions.iter().find(|region| self.number(region.place) == self.region_of(place));
@@ -219,7 +219,7 @@ impl<'a> Known<'a> {
     }
 }
 
-/// Reads a picture; `None`, and why, where it is refused.
+/// Reads a picture. `None` where the picture is refused; the reason is printed.
 fn taken(name: &str, raster: &Raster) -> Option<Reading> {
     let why = match read(raster, false) {
         Ok(Reading { neither: Some(why), .. }) | Err(why) => why,
@@ -229,7 +229,8 @@ fn taken(name: &str, raster: &Raster) -> Option<Reading> {
     None
 }
 
-/// The series of a document: clean, degraded, oblique and flattened. False, and nothing, of a weave.
+/// Measures the series of a document: clean, degraded, oblique and flattened. Returns false, without measuring, for a
+/// weave.
 fn measure(
     name: &str,
     document: &Document,
@@ -241,11 +242,11 @@ fn measure(
     let [width, height] = document.size;
     let picture = RgbImage::from_raw(width, height, grown.rgb()).expect("as many px");
     let layers = grown.report().layers;
-    // Lines that cross, without a word about the system.
+    // Lines that cross, in a layer that does not name a system.
     if layers.iter().any(|layer| layer.system == SystemChoice::Of(PairKind::Weave.description()).name()) {
         return false;
     }
-    // Numbers of several layers are not those of all marks together.
+    // The attributes of several layers are not those of all marks together.
     let known = (layers.len() == 1 && !layers[0].inverted)
         .then(|| Known::new(&layers[0], [f64::from(width), f64::from(height)]));
     let bad = image::load_from_memory(&degraded(&picture, seed)).expect("a JPEG").into_rgb8();

@@ -28,14 +28,14 @@ fn dapple(at: &Path) -> Command {
     dapple
 }
 
-/// Runs a command that must be done; what it prints.
+/// Runs a command that must succeed; returns what it prints.
 #[track_caller]
 fn done(at: &Path, command: &str) -> String {
     let output = dapple(at).args(command.split(' ')).assert().success().get_output().clone();
     String::from_utf8(output.stdout).expect("text")
 }
 
-/// Runs a command that must fail with this exit code; its message.
+/// Runs a command that must fail with this exit code; returns its message.
 #[track_caller]
 fn fails(at: &Path, command: &str, code: i32) -> String {
     let output = dapple(at).args(command.split(' ')).assert().code(code).get_output().clone();
@@ -51,7 +51,7 @@ fn grown(document: &Document) -> RgbImage {
     RgbImage::from_raw(width, height, document.grow().expect("it grows").rgb()).expect("as many px")
 }
 
-/// The regions' means of what has grown in the first layer.
+/// The mean attributes of what has grown in the first layer, by region.
 fn got(document: &Document) -> Vec<Attributes> {
     let report = document.grow().expect("it grows").report();
     report.layers[0].regions.iter().filter_map(|region| region.got).collect()
@@ -69,7 +69,7 @@ fn json(text: &str) -> Value {
 }
 
 #[test]
-fn spots_come_back_from_a_bad_photograph_as_they_were_grown() {
+fn spots_are_found_in_a_bad_photograph_with_their_grown_attributes() {
     let document = random::document(0);
     let folder = photographed(&document);
     let printed = json(&done(folder.path(), "import a.jpg -o b.dapple --json"));
@@ -96,7 +96,7 @@ fn spots_come_back_from_a_bad_photograph_as_they_were_grown() {
 }
 
 #[test]
-fn stripes_come_back_with_their_width_direction_and_period() {
+fn stripes_are_found_with_their_width_direction_and_period() {
     let document = random::document(5);
     let folder = photographed(&document);
     done(folder.path(), "import a.jpg -o b.dapple --regions 1x1 -q");
@@ -115,7 +115,7 @@ fn stripes_come_back_with_their_width_direction_and_period() {
 }
 
 #[test]
-fn measuring_and_importing_find_the_same() {
+fn measure_and_import_find_the_same_marks() {
     let folder = photographed(&random::document(2));
     let measured = json(&done(folder.path(), "measure a.jpg --json"));
     let imported = json(&done(folder.path(), "import a.jpg -o b.dapple --regions 1x1 --layers 1 --json"));
@@ -164,7 +164,7 @@ fn two_sizes() -> RgbImage {
 }
 
 #[test]
-fn two_sizes_become_two_layers_and_one_where_that_is_wanted() {
+fn two_sizes_become_two_layers_or_one_where_that_is_asked_for() {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(folder.path().join("a.jpg"), degraded(&two_sizes(), 1)).expect("written");
     let printed = json(&done(folder.path(), "import a.jpg -o b.dapple --json"));
@@ -174,7 +174,7 @@ fn two_sizes_become_two_layers_and_one_where_that_is_wanted() {
         .iter()
         .map(|layer| layer["found"].as_u64().expect("a number"))
         .collect();
-    // 25 large ones; of the small ones those on the border are cut.
+    // There are 25 large discs. Of the small ones, those on the border are cut.
     assert_eq!(found.len(), 2, "{printed}");
     assert!(found[0] == 25 && (50..=64).contains(&found[1]), "{found:?}");
     done(folder.path(), "import a.jpg -o b.dapple --layers 1 -q");
@@ -182,7 +182,7 @@ fn two_sizes_become_two_layers_and_one_where_that_is_wanted() {
 }
 
 #[test]
-fn what_is_neither_is_refused_with_the_reason() {
+fn a_picture_of_neither_spots_nor_stripes_is_refused_with_the_reason() {
     let pictures = others::others();
     assert!(pictures.len() >= 40, "{}", pictures.len());
     for (name, picture) in some(pictures, 2) {
@@ -231,7 +231,7 @@ fn a_part_of_a_photograph_has_its_own_size_and_marks() {
     assert_eq!(part["size"], serde_json::json!([240, 300]));
     let found = |printed: &Value| printed["layers"][0]["found"].as_f64().expect("a number");
     let share = found(&part) / found(&all);
-    // Near the border marks are cut: fewer than by area.
+    // Marks near the border are cut, so there are fewer than in proportion to the area.
     assert!((0.3..0.55).contains(&share), "{share}");
     let refused = fails(folder.path(), "import a.jpg -o c.dapple --crop 300,300,200,200", 1);
     assert!(refused.contains("--crop") && refused.contains("384×384"), "{refused}");
@@ -242,7 +242,7 @@ fn an_oblique_photograph_is_flattened_by_its_corners() {
     let folder = tempfile::tempdir().expect("a folder");
     let flat = two_sizes();
     let raster = Raster { size: [400, 400], rgb: flat.into_raw(), dpi: None };
-    // As seen from the side: a trapezium whose left side is 280 px, whose right side is 400 px long.
+    // The view from the side: a trapezium whose left side is 280 px long and whose right side is 400 px long.
     let oblique = raster.warped([400, 400], |[x, y]| {
         let depth = 400.0 / (280.0 + 120.0 * x / 400.0);
         [x * depth, 200.0 + (y - 200.0) * depth]
@@ -269,7 +269,7 @@ fn an_oblique_photograph_is_flattened_by_its_corners() {
     assert!(refused.contains("--corners") && refused.contains("clockwise"), "{refused}");
 }
 
-/// A JPEG with this EXIF orientation and 150 px an inch.
+/// A JPEG with this EXIF orientation and 150 px per inch.
 fn turned(picture: &RgbImage, orientation: u8) -> Vec<u8> {
     let mut jpeg = Vec::new();
     let encoder = image::codecs::jpeg::JpegEncoder::new_with_quality(&mut jpeg, 90);
@@ -309,7 +309,7 @@ fn every_format_gives_the_same_sketch() {
     for name in ["a.png", "a.tiff", "a.webp"] {
         picture.save(folder.path().join(name)).expect("written");
     }
-    // By the content, whatever the name is.
+    // The content decides, whatever the file name is.
     fs::copy(folder.path().join("a.png"), folder.path().join("a.jpeg")).expect("copied");
     let documents = ["a.png", "a.tiff", "a.webp", "a.jpeg"].map(|name| {
         done(folder.path(), &format!("import {name} -o b.dapple -q"));
@@ -330,7 +330,7 @@ fn the_bytes_do_not_depend_on_the_number_of_threads() {
 }
 
 #[test]
-fn marks_are_the_other_phase_where_that_is_wanted() {
+fn with_invert_the_marks_are_the_other_phase() {
     let folder = photographed(&random::document(1));
     let measured = |command: &str| {
         let printed = json(&done(folder.path(), command));
@@ -349,7 +349,7 @@ fn marks_are_the_other_phase_where_that_is_wanted() {
 }
 
 #[test]
-fn the_level_moves_the_edge_and_what_is_smaller_than_the_smallest_is_left_out() {
+fn the_level_moves_the_edge_and_marks_below_the_smallest_area_are_left_out() {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(folder.path().join("a.jpg"), degraded(&two_sizes(), 1)).expect("written");
     let areas = |options: &str| {
@@ -372,7 +372,7 @@ fn the_level_moves_the_edge_and_what_is_smaller_than_the_smallest_is_left_out() 
 }
 
 #[test]
-fn options_of_photographs_do_not_go_with_drawings_and_wrong_values_are_named() {
+fn options_for_photographs_are_refused_with_drawings_and_wrong_values_are_named() {
     let folder = tempfile::tempdir().expect("a folder");
     let svg =
         r#"<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><circle cx="4" cy="4" r="2"/></svg>"#;

@@ -1,4 +1,5 @@
-//! Pictures that are neither spots nor stripes: noise, gradients, chessboards, text, faces, things. All are drawn here.
+//! Pictures that show neither spots nor stripes: noise, gradients, chessboards, text, faces, things. All are drawn
+//! here.
 
 use image::{Rgb, RgbImage};
 use rand::{RngExt, SeedableRng};
@@ -9,10 +10,10 @@ use crate::photos::degrade::{fractal, normal};
 /// Width and height, px.
 const SIDE: usize = 320;
 
-/// A place in 0..1 × 0..1 → a tone 0..1.
+/// A function from a place in 0..1 × 0..1 to a tone 0..1.
 type Tone<'a> = &'a dyn Fn(f64, f64) -> f64;
 
-/// Each with its name.
+/// All pictures, with their names.
 pub fn others() -> Vec<(String, RgbImage)> {
     let mut all = Vec::new();
     all.extend(noises());
@@ -24,7 +25,7 @@ pub fn others() -> Vec<(String, RgbImage)> {
     all
 }
 
-/// A picture of tones between two colours.
+/// A picture whose tones lie between two colours.
 fn drawn(tone: Tone) -> RgbImage {
     let (dark, light) = ([52.0, 40.0, 35.0], [236.0, 224.0, 206.0]);
     RgbImage::from_fn(SIDE as u32, SIDE as u32, |x, y| {
@@ -100,7 +101,7 @@ fn boards() -> Vec<(String, RgbImage)> {
     all
 }
 
-/// Letters on 5 × 7 dots, a row a number.
+/// Letters of 5 × 7 dots; each number is a row.
 const LETTERS: [[u8; 7]; 12] = [
     [14, 17, 17, 31, 17, 17, 17],
     [30, 17, 17, 30, 17, 17, 30],

@@ -1,4 +1,4 @@
-//! Random documents of spots or stripes, by number: what grows is as unlike as photographs are.
+//! Random documents of spots or stripes, by number. Their textures differ as much as photographs do.
 
 use dapple::document::{Colours, Document, Layer, Stroke};
 use rand::{RngExt, SeedableRng};
@@ -7,7 +7,7 @@ use rand_pcg::Pcg64Mcg;
 /// Width and height, px.
 const SIDE: u32 = 384;
 
-/// Pairs of ground and mark that differ by 0.25 of OKLab and more.
+/// Colours of ground and mark that differ by at least 0.25 in OKLab.
 const COLOURS: [[[u8; 3]; 2]; 6] = [
     [[244, 227, 193], [59, 35, 20]],
     [[36, 64, 79], [239, 246, 242]],

@@ -1,5 +1,5 @@
-//! The table of the round trip in `docs/photos.md`: photograph → document → grown, against what was photographed. All three
-//! are read alike.
+//! The table of the round trip in `docs/photos.md`: photograph → document → grown, compared with the photographed
+//! texture. All of them are measured in the same way.
 //!
 //!     cargo test --release --test command -- --ignored --nocapture round_trip
 
@@ -18,7 +18,7 @@ use image::RgbImage;
 use crate::photos::degrade::degraded;
 use crate::photos::{grown, png, random};
 
-/// Random documents.
+/// The number of random documents.
 const RANDOM: u64 = 24;
 /// Documents of two sizes of spots.
 const TWO_SIZES: [&str; 2] = ["phan-grimm-12-mixed-spots", "turk-2-lower-left-cheetah"];
@@ -71,7 +71,7 @@ impl Differences {
     }
 }
 
-/// How wide the marks are, and the ground between them, px.
+/// The widths of the marks and of the ground between them, px.
 fn wide(picture: &Picture) -> [f64; 2] {
     match picture {
         Picture::Spots { got, .. } => {
@@ -97,7 +97,7 @@ fn reading(picture: &RgbImage) -> Reading {
     read(&Raster { size, rgb: picture.as_raw().clone(), dpi: None }, false).expect("marks")
 }
 
-/// What grows of the document that is made of a photograph; `None` where it is refused.
+/// The texture that grows from the document that is made from a photograph; `None` where the photograph is refused.
 fn back(folder: &Path, bytes: &[u8]) -> Option<RgbImage> {
     let path = folder.join("photograph");
     fs::write(&path, bytes).expect("written");
@@ -105,7 +105,7 @@ fn back(folder: &Path, bytes: &[u8]) -> Option<RgbImage> {
     Some(grown(&imported.document))
 }
 
-/// Clean and degraded.
+/// The clean and the degraded photograph of a picture.
 fn photographs(picture: &RgbImage, seed: u64) -> [Vec<u8>; 2] {
     [png(picture), degraded(picture, seed)]
 }
@@ -134,7 +134,7 @@ fn round_trip() {
     }
 }
 
-/// Prints how many large and small spots there were and are.
+/// Prints the numbers of large and small spots, before and after.
 fn two_sizes(folder: &Path, name: &str) {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("examples/gallery/{name}.dapple"));
     let document = Document::read(file).expect("an example");

@@ -1,4 +1,4 @@
-//! Photographs of spots in several colours, and of ragged spots: the project's own textures come back as they were.
+//! Photographs of spots in several colours, and of ragged spots. Textures of this project are found again unchanged.
 
 use std::fs;
 use std::path::Path;
@@ -9,7 +9,7 @@ use tempfile::TempDir;
 
 use crate::photos::{done, grown, json, png, read_document};
 
-/// A picture without what dapple writes into its own.
+/// A picture without the data that dapple writes into its own pictures.
 fn picture_of(name: &str) -> (TempDir, Document) {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(name);
     let document = Document::read(file).expect("an example");
@@ -37,13 +37,13 @@ fn spots_of_several_colours_that_cover_half_of_the_picture_are_the_marks() {
     let measured = json(&done(folder.path(), "measure a.png --json"));
     assert_eq!(measured["kind"], "spots");
     assert_eq!(measured["marks"], 39);
-    // The ground between them hangs together.
+    // The ground between them is connected.
     let inverted = json(&done(folder.path(), "import a.png -o b.dapple --invert --take-it --json"));
     assert_eq!(inverted["kind"], "stripes");
 }
 
 #[test]
-fn ragged_spots_come_back_as_ragged() {
+fn ragged_spots_are_found_with_their_raggedness() {
     let (folder, document) = picture_of("spotted-hyena.dapple");
     let measured = json(&done(folder.path(), "measure a.png --json"));
     done(folder.path(), "import a.png -o b.dapple -q");

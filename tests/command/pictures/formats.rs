@@ -18,7 +18,7 @@ fn every_ending_gives_its_format_with_the_same_colours() {
 }
 
 #[test]
-fn sixteen_bit_are_finer_and_round_to_eight() {
+fn colours_of_16_bit_are_finer_and_round_to_those_of_8_bit() {
     let folder = Folder::with(&tile());
     folder.does("grow a.dapple -o a.png");
     folder.does("grow a.dapple -o b.png --depth 16");
@@ -61,7 +61,7 @@ fn a_transparent_picture_over_its_ground_looks_the_same() {
     folder.refuses("grow a.dapple -o x.webp --depth 16", 1, &["WebP", "16-bit", ".png, .tif"]);
 }
 
-/// The px of the only layer are half transparent red on the ground, opaque blue in the marks.
+/// A document whose only layer is half-transparent red on the ground and opaque blue in the marks.
 fn see_through() -> Folder {
     let mut document = tile();
     document["layers"][0]["colours"] = json!({"stops": [
@@ -92,7 +92,7 @@ fn the_opacity_of_stops_is_written_where_the_format_can_hold_it() {
 }
 
 #[test]
-fn through_transparent_colours_the_layer_beneath_is_seen() {
+fn the_layer_beneath_is_visible_through_transparent_colours() {
     let spot = |x: f64, y: f64, r: f64| json!({"kind": "ellipse", "center": [x, y], "radii": [r, r]});
     let layer = |x: f64, r: f64, ground: &str, mark: &str| {
         json!({"strokes": [spot(40.0 + x, 40.0, r), spot(90.0 + x, 40.0, r), spot(65.0 + x, 80.0, r)], "colours": {"stops": [
@@ -138,7 +138,7 @@ fn numbers_are_written_to_lossless_formats_only() {
 }
 
 #[test]
-fn patterns_and_concentrations_are_floating_point_by_name() {
+fn patterns_and_concentrations_are_floating_point_channels_with_names() {
     let folder = Folder::with(&tile());
     folder.does("grow a.dapple -o a.png --pattern p.exr --concentrations c.exr --scale 2");
     folder.does("grow a.dapple -o a.png --pattern p.png --scale 2");

@@ -50,7 +50,7 @@ fn marks_are_raised_or_hollow_and_normals_point_away_from_high_places() {
         let (height, pattern) = (map("Height").into_luma16(), folder.picture("p.png").into_luma16());
         for (h, p) in height.iter().zip(pattern.iter()) {
             let up = if sign > 0.0 { f64::from(*h) } else { 65535.0 - f64::from(*h) };
-            // S(p) = p²(3 − 2p).
+            // The profile of a mark is S(p) = p²(3 − 2p).
             let share = f64::from(*p) / 65535.0;
             assert!((up - 65535.0 * share * share * (3.0 - 2.0 * share)).abs() <= 2.0);
         }
@@ -75,7 +75,7 @@ fn marks_are_raised_or_hollow_and_normals_point_away_from_high_places() {
 }
 
 #[test]
-fn packed_maps_hold_what_the_single_ones_do() {
+fn packed_maps_hold_the_values_of_the_single_maps() {
     let folder = Folder::with(&tile());
     folder.does("grow a.dapple --material set --roughness 0.9,0.2");
     let map = |name: &str| folder.picture(&format!("set/a_{name}.png"));

@@ -51,7 +51,7 @@ impl Folder {
         self.dapple(arguments).assert().success();
     }
 
-    /// Fails with a message of one line with these words, and leaves no file behind.
+    /// Asserts that `dapple` fails with a message of one line that contains these words, and leaves no file behind.
     #[track_caller]
     fn refuses(&self, arguments: &str, code: i32, words: &[&str]) {
         let before = self.names();
@@ -64,7 +64,7 @@ impl Folder {
     }
 }
 
-/// A tile of long spots, white to black.
+/// A seamless document of long spots, white to black.
 fn tile() -> Value {
     let spot =
         |x: f64, y: f64| json!({"kind": "ellipse", "center": [x, y], "radii": [8.0, 5.0], "angle": 30});

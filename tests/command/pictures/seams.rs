@@ -1,4 +1,4 @@
-//! Seams: steps across the border of a tile against steps inside it, for every map of a material.
+//! Seams: compares the steps across the border of a tile with the steps inside it, for every map of a material.
 
 use super::Folder;
 use image::DynamicImage;
@@ -34,8 +34,8 @@ fn has_no_seams(found: &[(String, [f64; 2])]) {
 }
 
 #[test]
-fn a_step_across_the_border_that_stands_out_is_no_chance() {
-    // Waves on a slope, whose ends do not meet.
+fn a_step_across_the_border_that_is_much_larger_is_not_by_chance() {
+    // Waves on a slope, so that opposite ends differ.
     let value = |x: u32, _: u32| {
         let wave = 6_000.0 * libm::sin(std::f64::consts::TAU * 3.0 * f64::from(x) / 64.0);
         image::Luma([(20_000.0 + wave + 150.0 * f64::from(x)) as u16])
@@ -72,7 +72,7 @@ fn seamless_examples_have_no_seam_in_any_map() {
     has_no_seams(&found);
 }
 
-/// A sketch as a user might draw it, a different one for each `number`.
+/// A sketch like that of a user, different for each `number`.
 fn sketch(number: u64) -> Value {
     let mut state = number.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
     let mut random = |low: f64, high: f64| {
@@ -115,9 +115,9 @@ fn random_tiles() -> &'static [(String, DynamicImage)] {
     &TILES
 }
 
-/// Sketches 1 to 20 of the generator above, without selection: tiles of 180–330 px a side, whose border crosses about 15 to
-/// 60 marks. The random variation of the ratio was measured by cutting the tile elsewhere: a standard deviation of 0.02 to
-/// 0.13 (normals), so that the bound of 1.3 is at least two deviations away.
+/// Sketches 1 to 20 of the generator above, without selection: tiles with sides of 180–330 px, whose border crosses
+/// about 15 to 60 marks. The random variation of the ratio was measured by cutting the tile elsewhere: a standard
+/// deviation of 0.02 to 0.13 (normals), so that the bound of 1.3 is at least two deviations away.
 #[test]
 fn twenty_random_tiles_have_no_seam_in_any_map() {
     let found: Vec<_> =
@@ -126,7 +126,7 @@ fn twenty_random_tiles_have_no_seam_in_any_map() {
     has_no_seams(&found);
 }
 
-/// Mean rank of the borders of the random tiles, map by map.
+/// The mean rank of the borders of the random tiles, for each map.
 fn mean_ranks(cut: impl Fn(&DynamicImage) -> DynamicImage + Sync) -> Vec<(&'static str, f64)> {
     let tiles = random_tiles();
     let ranked: Vec<_> =
@@ -146,7 +146,7 @@ fn mean_ranks(cut: impl Fn(&DynamicImage) -> DynamicImage + Sync) -> Vec<(&'stat
 const HIGH: f64 = 0.5 + 3.0 * 0.288_7 / 6.325;
 
 #[test]
-fn the_border_of_a_tile_is_a_line_like_all_others() {
+fn the_border_of_a_tile_does_not_differ_from_other_lines() {
     let means = mean_ranks(DynamicImage::clone);
     println!("{means:?}");
     assert!(means.iter().all(|(_, rank)| *rank < HIGH), "{means:?}");

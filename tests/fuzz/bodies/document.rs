@@ -1,4 +1,5 @@
-//! Documents: what is read is written and read back unchanged, and can be planned or is refused.
+//! Fuzz body for documents: a document that is read is written and read back unchanged, and can be planned or is
+//! refused.
 
 use dapple::document::Document;
 use dapple_engine::synth::areas::plan::AreaPlan;
@@ -19,7 +20,7 @@ const MEMORY: Option<f64> = Some(8e9);
 
 static TRAINING: LazyLock<Training> = LazyLock::new(Training::default);
 
-/// Whatever `bytes` are, they are a document or no document.
+/// `bytes` are a document, or are refused.
 pub fn holds(bytes: &[u8]) {
     // The file's bytes are UTF-8 or refused before anything else.
     let Ok(text) = std::str::from_utf8(bytes) else { return };
@@ -32,12 +33,12 @@ pub fn holds(bytes: &[u8]) {
     }
 }
 
-/// Each layer can be planned, or it is said why not: as `dapple check` does it, without growing.
+/// Each layer can be planned, or the reason is given: as `dapple check` does, without growing.
 fn is_planned(document: &Document) {
     let strokes: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
     let regions = document.region_grid().iter().product::<usize>() * document.layers.len();
     if strokes > 64 || regions > 64 {
-        // Sound, and too slow to be tried thousands of times.
+        // Valid, but too slow to be tried thousands of times.
         return;
     }
     let (size, training) = (document.size.map(f64::from), &*TRAINING);
@@ -64,7 +65,7 @@ fn is_planned(document: &Document) {
     }
 }
 
-/// What a plan asks for at a place can be grown.
+/// The attributes that a plan asks for at a place can be grown.
 fn is_sound(plan: &LayerPlan, at: [f64; 2]) {
     let own = plan.own();
     if let Some(plan) = own.downcast_ref::<LinePlan>() {

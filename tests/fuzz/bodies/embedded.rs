@@ -1,4 +1,4 @@
-//! Documents in pictures: what a PNG holds is a valid document with a size that can be grown, or it is refused.
+//! Fuzz body for documents in pictures: a PNG holds a valid document with a size that can be grown, or is refused.
 
 use dapple::document::{in_stream, limits};
 use dapple_engine::export::png::{Header, Samples, write};
@@ -10,7 +10,7 @@ use crate::refusal::assert_readable;
 
 const FILE: &str = "bad.png";
 
-/// Whatever `bytes` are: a PNG as it stands, or the texts of one, the document and, after a zero, its size and scale.
+/// `bytes` are a PNG; or the texts of a PNG: the document and, after a zero byte, its size and scale.
 pub fn holds(bytes: &[u8]) {
     if bytes.starts_with(&SIGNATURE) {
         restored(bytes);

@@ -1,11 +1,12 @@
-//! An allocator with a limit, as on a small machine: an allocation beyond it ends the run.
+//! An allocator with a limit, like that of a small machine: an allocation beyond the limit ends the run.
 //!
-//! A few bytes that make a reader ask for gigabytes are a fault, even where the system would hand them out.
+//! If a few bytes make a reader allocate gigabytes, that is a fault, even where the system would grant them.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-/// Bytes that may be held at once. Pictures are decoded into 512 MiB at most, which is their readers' own bound.
+/// The most bytes that may be allocated at the same time. Pictures are decoded into at most 512 MiB, which is the limit
+/// of their readers.
 const MOST: usize = 1 << 30;
 
 struct Bounded;
@@ -15,7 +16,7 @@ static HELD: AtomicUsize = AtomicUsize::new(0);
 #[global_allocator]
 static BOUNDED: Bounded = Bounded;
 
-/// Takes note of `size` bytes more; false where that is too much.
+/// Counts `size` more bytes; false where that is too much.
 fn take(size: usize) -> bool {
     let fits = HELD.fetch_add(size, Relaxed) + size <= MOST;
     if !fits {
@@ -24,8 +25,8 @@ fn take(size: usize) -> bool {
     fits
 }
 
-// SAFETY: what is handed out is the system allocator's own, with the same layout; null, which is allowed, where it is
-// too much.
+// SAFETY: the returned memory is that of the system allocator for the same layout; where it would be too much, null is
+// returned, which is allowed.
 unsafe impl GlobalAlloc for Bounded {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         // SAFETY: the caller keeps to the contract of `alloc`, which is the same.
@@ -33,7 +34,7 @@ unsafe impl GlobalAlloc for Bounded {
     }
 
     unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
-        // SAFETY: as above.
+        // SAFETY: the same as for `alloc`.
         if take(layout.size()) { unsafe { System.alloc_zeroed(layout) } } else { std::ptr::null_mut() }
     }
 
@@ -47,7 +48,7 @@ unsafe impl GlobalAlloc for Bounded {
         if !take(size) {
             return std::ptr::null_mut();
         }
-        // SAFETY: as above, and `size` is the caller's.
+        // SAFETY: the same as for `dealloc`, and `size` comes from the caller.
         let new = unsafe { System.realloc(at, layout, size) };
         HELD.fetch_sub(if new.is_null() { size } else { layout.size() }, Relaxed);
         new

@@ -1,14 +1,15 @@
-//! Models: what is read has finite bounds and triangles of its vertices, and is made a manifold or refused.
+//! Fuzz body for models: a model that is read has finite bounds and triangles of its own vertices, and becomes a
+//! manifold or is refused.
 
 use dapple_engine::surface::{Mesh, prepare, read_model};
 
 use crate::refusal::assert_readable;
 
 const FILE: &str = "bad.model";
-/// More triangles are not prepared: damage can repeat lines.
+/// Models with more triangles are not prepared: damage can repeat lines many times.
 const MOST: usize = 5_000;
 
-/// Whatever `bytes` are, they are a model or none.
+/// `bytes` are a model, or are refused.
 pub fn holds(bytes: &[u8]) {
     let model = match read_model(bytes, FILE) {
         Ok(model) => model,
@@ -24,7 +25,7 @@ pub fn holds(bytes: &[u8]) {
 fn is_prepared(mesh: &Mesh) {
     let has_corners = |mesh: &Mesh| mesh.faces.iter().flatten().all(|c| (*c as usize) < mesh.positions.len());
     assert!(has_corners(mesh), "a corner that is no vertex");
-    // What cannot be prepared says so.
+    // A model that cannot be prepared gives the reason.
     let Ok((whole, repairs)) = prepare(mesh) else { return };
     assert!(has_corners(&whole) && !whole.faces.is_empty());
     assert!(whole.positions.iter().flatten().all(|x| x.is_finite()), "{:?}", repairs.notes());

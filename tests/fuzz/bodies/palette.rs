@@ -4,7 +4,7 @@ use dapple::document::palette::Palette;
 
 use crate::refusal::assert_readable;
 
-/// Whatever `bytes` are, they are a palette or none.
+/// `bytes` are a palette, or are refused.
 pub fn holds(bytes: &[u8]) {
     if let Ok(text) = std::str::from_utf8(bytes) {
         match Palette::parse_json(text, "bad.json") {
@@ -16,7 +16,7 @@ pub fn holds(bytes: &[u8]) {
             Err(error) => assert_readable(&error.to_string(), "bad.json"),
         }
     }
-    // As a file's bytes are read: GIMP writes no declaration of its encoding.
+    // Read in the same way as the bytes of a file: GIMP writes no declaration of its encoding.
     match Palette::parse_gpl(&String::from_utf8_lossy(bytes), "bad.gpl") {
         Ok(palette) => {
             let read = Palette::parse_gpl(&palette.to_gpl(), "own.gpl").expect("what is written is read");

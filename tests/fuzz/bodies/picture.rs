@@ -1,4 +1,4 @@
-//! Pictures to be measured: they have spots, stripes or neither, in px of their size.
+//! Fuzz body for pictures to be measured: they have spots, stripes or neither, in px of their size.
 
 use dapple_engine::measure::Picture;
 use dapple_engine::synth::import::measured_picture::{Framing, measure_stream};
@@ -9,14 +9,15 @@ use std::path::Path;
 use crate::refusal::assert_readable;
 
 const FILE: &str = "bad.png";
-/// px that are measured: more are only read, as time goes by them.
+/// The most px of a picture that is measured; larger ones are only read, because measuring takes time in proportion to
+/// the px.
 const MEASURED: u64 = 1 << 16;
-/// px that no reader may unpack.
+/// No reader may decode a picture with this many px.
 const BOMB: u64 = 1 << 29;
-/// Bytes of memory that a picture may take: fewer than one of so many px.
+/// The memory that a picture may take, bytes: less than a picture of that many px takes.
 const MEMORY: Option<f64> = Some(4e9);
 
-/// Whatever `bytes` are, they are a picture or none.
+/// `bytes` are a picture, or are refused.
 pub fn holds(bytes: &[u8]) {
     let Ok(reader) = ImageReader::new(Cursor::new(bytes)).with_guessed_format() else { return };
     let px = reader.into_dimensions().map_or(0, |(width, height)| u64::from(width) * u64::from(height));

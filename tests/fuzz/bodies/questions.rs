@@ -1,4 +1,4 @@
-//! Tables of questions (`lookup --batch`): as many answers as questions, all of them numbers.
+//! Fuzz body for tables of questions (`lookup --batch`): there are as many answers as questions, and all are numbers.
 
 use dapple::cli::lookup::answer_table;
 use dapple_engine::synth::Training;
@@ -7,12 +7,12 @@ use std::sync::LazyLock;
 use crate::refusal::assert_readable;
 
 const FILE: &str = "bad.csv";
-/// Questions that are answered; more are asked the same way.
+/// The most questions of a table that are answered.
 const MOST: usize = 24;
 
 static TRAINING: LazyLock<Training> = LazyLock::new(Training::default);
 
-/// Whatever `bytes` are, they are a table of questions or none.
+/// `bytes` are a table of questions, or are refused.
 pub fn holds(bytes: &[u8]) {
     if bytes.iter().filter(|byte| matches!(byte, b'\n' | b'\r')).count() > MOST {
         return;
@@ -26,7 +26,7 @@ pub fn holds(bytes: &[u8]) {
 
 fn answered(table: &[u8]) {
     let mut reader = csv::Reader::from_reader(table);
-    // Other columns are carried along, in whatever encoding they are.
+    // Other columns are copied, whatever their encoding is.
     let header = reader.byte_headers().expect("the answers have a header").clone();
     let place = |name: &str| {
         header.iter().rposition(|column| column == name.as_bytes()).expect("a column of answers")

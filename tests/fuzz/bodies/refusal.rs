@@ -1,6 +1,6 @@
-//! What the message of every refusal must have.
+//! Checks the message of every refusal.
 
-/// Longest message, bytes: what a terminal shows at once. Longer quoted values are cut.
+/// The longest message, bytes, that a terminal shows at once. Longer quoted values are shortened.
 const LONGEST: usize = 2_000;
 
 /// Asserts that `message` names `file`, says more than that, and has no control characters.

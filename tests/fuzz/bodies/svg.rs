@@ -1,4 +1,4 @@
-//! SVG: its marks are finite, and the document made of them is valid.
+//! Fuzz body for SVG: its marks are finite, and the document made of them is valid.
 
 use dapple_engine::marks::Mark;
 use dapple_engine::sketch::svg::{DPI, read};
@@ -9,7 +9,7 @@ use crate::refusal::assert_readable;
 
 const FILE: &str = "bad.svg";
 
-/// Whatever `bytes` are, they are a drawing or none.
+/// `bytes` are a drawing, or are refused.
 pub fn holds(bytes: &[u8]) {
     if let Ok(drawing) = read(bytes, Some(DPI)) {
         assert!(drawing.size.iter().all(|side| side.is_finite() && *side > 0.0), "{:?}", drawing.size);

@@ -1,4 +1,4 @@
-//! The files of a sweep: the plan in a manifest, and the journal of a sweep that was stopped.
+//! Fuzz body for the files of a sweep: the plan in a manifest, and the journal of a sweep that was stopped.
 
 use data_gen::journal::Part;
 use data_gen::plan::Plan;
@@ -8,7 +8,7 @@ use crate::refusal::assert_readable;
 
 const FILE: &str = "bad.json";
 
-/// Whatever `bytes` are, they are a plan or none, and a journal or none.
+/// `bytes` are a plan or are refused, and are a journal or are refused.
 pub fn holds(bytes: &[u8]) {
     if let Ok(text) = std::str::from_utf8(bytes) {
         match Plan::parse(text, FILE) {

@@ -1,4 +1,5 @@
-//! Training rows: what is read is written and read back unchanged, and every question gets numbers or a refusal.
+//! Fuzz body for training rows: rows that are read are written and read back unchanged, and every question gets numbers
+//! or is refused.
 
 use dapple_engine::attributes::{Attributes, Spots, Stripes};
 use dapple_engine::learn::{InCells, TrainingSet, write_rows};
@@ -8,7 +9,7 @@ use crate::refusal::assert_readable;
 
 const FILE: &str = "rows.csv";
 
-/// Whatever `bytes` are — the first says of which system — they are a training set or none.
+/// `bytes` are a training set, or are refused. The first byte chooses the system.
 pub fn holds(bytes: &[u8]) {
     let Some((first, rows)) = bytes.split_first() else { return };
     let system = System::ALL[usize::from(*first) % System::ALL.len()].description();
@@ -21,7 +22,7 @@ pub fn holds(bytes: &[u8]) {
     }
 }
 
-/// Rows → CSV → rows: to six digits, and then exactly.
+/// Writes rows as CSV and reads them back: equal to six digits the first time, and exactly after that.
 fn comes_back(set: &TrainingSet) {
     let written = |set: &TrainingSet| {
         let mut text = Vec::new();
@@ -35,7 +36,7 @@ fn comes_back(set: &TrainingSet) {
     assert_eq!(written(&read), text);
 }
 
-/// The first row's own attributes, and questions far from all rows.
+/// Asks for the attributes of the first row, and for attributes far from all rows.
 fn answers(set: &TrainingSet) {
     for wanted in questions(set) {
         let Ok(found) = set.ask(&wanted) else { continue };

@@ -1,4 +1,4 @@
-//! Which drawn lines are a weave where the system is chosen automatically.
+//! Drawn lines that are recognised as a weave, where the system is chosen automatically.
 
 use std::f64::consts::{PI, TAU};
 
@@ -9,7 +9,7 @@ use rand_pcg::Pcg64Mcg;
 const WIDTH: f64 = 6.0;
 const SKETCHES: u64 = 100;
 
-/// A hand that means to draw straight lines and arcs, and is a little off.
+/// Draws lines and arcs like a hand that means them to be exact, with small errors.
 struct Hand(Pcg64Mcg);
 
 impl Hand {
@@ -21,7 +21,7 @@ impl Hand {
         self.0.random_range(low..high)
     }
 
-    /// A stroke along `at`, 0..1, of `length` px: it bows by up to 3 % of its length, and shakes by up to 0.8 px.
+    /// A stroke along `at`, 0..1, with `length` px: it is bent by up to 3 % of its length, and shakes by up to 0.8 px.
     fn stroke(&mut self, length: f64, at: impl Fn(f64) -> [f64; 2]) -> Stroke {
         let (bow, wave) = (self.within(-0.03, 0.03) * length, self.within(-0.01, 0.01) * length);
         let (shake, phase) = (self.within(0.2, 0.8), self.within(0.0, TAU));
@@ -39,14 +39,14 @@ impl Hand {
         Stroke::Freehand { points: points.collect(), width: WIDTH }
     }
 
-    /// A straight one, whose ends are up to `off` px from where they were meant.
+    /// A straight line whose ends are up to `off` px from their intended places.
     fn line(&mut self, [from, to]: [[f64; 2]; 2], off: f64) -> Stroke {
         let [from, to] = [from, to].map(|end| end.map(|x| x + off * self.within(-1.0, 1.0)));
         let length = (to[0] - from[0]).hypot(to[1] - from[1]);
         self.stroke(length, move |t| [0, 1].map(|axis| from[axis] + t * (to[axis] - from[axis])))
     }
 
-    /// Lines side by side, `apart` px, of one direction, about the middle of the canvas.
+    /// Lines side by side, `apart` px from each other, in one direction, about the middle of the canvas.
     fn parallel(&mut self, count: u32, degrees: f64, apart: f64, length: f64) -> Vec<Stroke> {
         let (s, c) = degrees.to_radians().sin_cos();
         let lines = (0..count).map(|i| {
@@ -57,7 +57,7 @@ impl Hand {
     }
 }
 
-/// The system of pairs that is called so.
+/// The system of pairs with the name `weave`.
 fn weave() -> Option<PairKind> {
     SystemChoice::named("weave").unwrap().pairs()
 }
@@ -66,7 +66,7 @@ fn document(strokes: Vec<Stroke>) -> Document {
     Document { size: [512, 512], layers: vec![Layer::new(strokes)], ..Document::default() }
 }
 
-/// How many of the sketches of 100 hands are weaves.
+/// How many of the sketches of 100 hands are recognised as weaves.
 fn weaves(sketch: impl Fn(&mut Hand) -> Vec<Stroke>) -> usize {
     let is_weave = |seed: &u64| document(sketch(&mut Hand::new(*seed))).pairs(0) == weave();
     (0..SKETCHES).filter(is_weave).count()
@@ -98,7 +98,7 @@ fn lines_side_by_side_are_never_a_weave() {
     });
     let curved = weaves(|hand| {
         let (apart, waves) = (hand.within(36.0, 60.0), hand.within(0.5, 2.5));
-        // As steep as 45°, at most: steeper waves of this bow would touch.
+        // At most as steep as 45°: steeper waves with this bend would touch.
         let height = hand.within(0.1, 1.0) * 360.0 / (TAU * waves);
         let wave = |hand: &mut Hand, y: f64| {
             hand.stroke(360.0, |t| [76.0 + 360.0 * t, y + height * (waves * TAU * t).sin()])
@@ -120,7 +120,7 @@ fn lines_side_by_side_are_never_a_weave() {
 
 #[test]
 fn lines_that_meet_where_one_of_them_ends_are_never_a_weave() {
-    // One line goes up to a width too far.
+    // One line ends up to a width too far.
     let chevrons = weaves(|hand| {
         let high = hand.within(20.0, 60.0);
         (0..8u32)
@@ -133,7 +133,7 @@ fn lines_that_meet_where_one_of_them_ends_are_never_a_weave() {
     let joints = weaves(|hand| {
         let bar = hand.line([[100.0, 256.0], [400.0, 256.0]], 10.0);
         let Stroke::Freehand { points, .. } = &bar else { panic!("{bar:?}") };
-        // The hand sees where the bar is.
+        // The hand can see where the bar is.
         let height =
             |x: f64| points.iter().min_by(|a, b| (a[0] - x).abs().total_cmp(&(b[0] - x).abs())).unwrap()[1];
         let stems = [140.0, 200.0, 260.0, 340.0].map(|x| {
@@ -165,7 +165,7 @@ fn lines_that_meet_where_one_of_them_ends_are_never_a_weave() {
 }
 
 #[test]
-fn a_line_that_crosses_itself_alone_is_no_weave() {
+fn a_line_that_only_crosses_itself_is_no_weave() {
     let loops = weaves(|hand| {
         let round = hand.within(30.0, 90.0);
         let at = move |t: f64| {
@@ -182,7 +182,7 @@ fn crossed() -> Vec<Stroke> {
 }
 
 #[test]
-fn a_layer_that_asks_for_stripes_or_for_what_a_weave_cannot_give_stays_stripes() {
+fn a_layer_with_stripes_or_options_that_a_weave_lacks_stays_stripes() {
     assert_eq!(document(crossed()).pairs(0), weave());
     let mut asked = document(crossed());
     asked.layers[0].system = SystemChoice::Stripes;

@@ -1,4 +1,4 @@
-//! The tables of `docs/format.md` say what the program does.
+//! Checks that the tables of `docs/format.md` describe the program.
 
 use super::*;
 use dapple::SaveTexture;
@@ -51,7 +51,7 @@ fn pointed(points: &Value) -> Value {
 }
 
 #[test]
-fn the_labels_on_the_page_are_those_that_are_read() {
+fn the_labels_on_the_page_are_those_that_the_program_reads() {
     let rows = table("Labels", "kind | key | meaning | allowed | default");
     assert_eq!(rows.len(), 11);
     let image = ToneImage::new([2, 1], vec![0, 255]).expect("two px");
@@ -94,7 +94,7 @@ fn on_model() -> Value {
     document
 }
 
-/// Each object of a document: its heading, where it stands, a document that holds it with no more than required.
+/// Each object of a document: its heading, its place, and a document that holds it with only the required keys.
 fn objects() -> [(&'static str, &'static str, Value); 22] {
     let line = json!({"kind": "line", "from": [10, 10], "to": [90, 60]});
     let path = json!({"kind": "path", "points": [[10, 10], [40, 20], [80, 14]]});
@@ -129,7 +129,7 @@ fn objects() -> [(&'static str, &'static str, Value); 22] {
 }
 
 #[test]
-fn the_keys_on_the_page_are_those_that_are_read() {
+fn the_keys_on_the_page_are_those_that_the_program_reads() {
     for (heading, pointer, document) in objects() {
         let mut wrong = document.clone();
         wrong.pointer_mut(pointer).unwrap()["zzzzzzzzzzzz"] = json!(1);
@@ -217,7 +217,7 @@ fn the_commands_and_exit_codes_on_the_page_are_those_of_the_program() {
     );
 }
 
-/// Spots that vary, one of them drawn nearly on another, and small ones inside them, on a small canvas.
+/// A small document of spots that vary, one of them drawn nearly on another, with small ones inside them.
 fn spots() -> Document {
     let spots = (0..6).map(|i| {
         let (column, row) = (f64::from(i % 3), f64::from(i / 3));
@@ -233,7 +233,7 @@ fn stripes() -> Document {
     Document::new([140, 120]).with_layer(Layer::new(lines))
 }
 
-/// Lines that cross, so wide that their threads cannot be as near to each other as they were drawn.
+/// A document of lines that cross, so wide that their threads cannot be as close together as they were drawn.
 fn weave() -> Document {
     let [across, down] = [[20.0, 34.0, 48.0], [30.0, 44.0, 58.0]];
     let across = across.map(|y| Stroke::line([10.0, y], [130.0, y], 9.0));
@@ -261,7 +261,7 @@ fn streaks() -> Document {
     Document::new([140, 120]).with_layer(layer)
 }
 
-/// The keys of a report: those of its layers and of their regions behind a dot.
+/// The keys of a report: those of its layers, and those of their regions after a dot.
 fn keys(value: &Value, before: &str, keys: &mut BTreeSet<String>) {
     for (key, value) in value.as_object().into_iter().flatten() {
         let path = format!("{before}{key}");
@@ -324,7 +324,7 @@ fn keys_in(cell: &str) -> BTreeSet<String> {
     cell.split('`').skip(1).step_by(2).map(str::to_owned).collect()
 }
 
-/// The row of this key under a heading.
+/// The row of this key in the table under a heading.
 fn meaning(heading: &str, key: &str) -> String {
     let row = table(heading, "key | meaning").into_iter().find(|row| row[0] == key);
     row.unwrap_or_else(|| panic!("{heading}: no {key}"))[1].clone()
@@ -352,7 +352,7 @@ fn the_json_of_an_imported_photograph_has_the_keys_on_the_page() {
     });
     dots.save(folder.path().join("a.png")).unwrap();
     let imported = printed(&["import", "a.png", "-o", "a.dapple", "--json"], folder.path());
-    // Four spots are too few, and taken all the same.
+    // Four spots are too few, and are taken anyway.
     image::imageops::crop_imm(&dots, 0, 0, 80, 80).to_image().save(folder.path().join("b.png")).unwrap();
     let taken = ["import", "b.png", "-o", "b.dapple", "--json", "--take-it", "--regions", "1x1"];
     let taken = printed(&taken, folder.path());

@@ -3,7 +3,7 @@
 use super::*;
 use dapple::document::Seeding;
 
-/// The shortest document with a line instead, and these options.
+/// The shortest document with a line instead of an ellipse, and these options.
 fn lined(options: Value) -> Value {
     let mut document = with("/layers/0/options", options);
     document["layers"][0]["strokes"] = json!([{"kind": "line", "from": [1, 1], "to": [50, 50]}]);
@@ -46,14 +46,14 @@ fn other_values_of_keep_and_seeding_are_refused() {
 }
 
 #[test]
-fn seeds_that_do_nothing_are_refused() {
+fn a_seeding_without_effect_is_refused() {
     let place = "layers[0].options.seeding";
     let spots = with("/layers/0/options", json!({"seeding": "segments"}));
     refused(&spots, place, "\"segments\"", "\"noise\". Only stripes have a seeding");
     let thin = lined(json!({"seeding": "initiators", "duty": 0.3}));
     let allowed = "\"noise\". Stripes of any other duty than 0.5 (50 %) begin from noise alone";
     refused(&thin, place, "\"initiators\"", allowed);
-    // The kind of a freehand stroke is known once it is fitted.
+    // The kind of a freehand stroke is known only after it is fitted.
     let mut document = spots;
     document["layers"][0]["strokes"] =
         json!([{"kind": "freehand", "points": [[10, 10], [30, 8], [40, 25], [25, 40], [8, 30], [10, 11]]}]);
@@ -76,7 +76,7 @@ fn no_marks_are_kept_where_the_layer_beneath_gives_the_places() {
         document["layers"][1]["options"] = options;
         document
     };
-    let allowed = "false. The marks of the layer beneath say where these grow";
+    let allowed = "false. The marks of the layer beneath determine the places of these marks";
     refused(&second("inside", json!({"keep": true})), "layers[1].options.keep", "true", allowed);
     assert!(accepted(&second("between", json!({"keep": true}))).keeps_marks(1));
     assert!(!accepted(&second("inside", json!({}))).keeps_marks(1));

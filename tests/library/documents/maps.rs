@@ -1,4 +1,4 @@
-//! The `maps` of a layer: pictures and noise by which what it asks for varies.
+//! The `maps` of a layer: pictures and noise by which its attributes vary.
 
 use super::*;
 use dapple::editor::session::Session;
@@ -111,7 +111,7 @@ fn maps_that_the_layer_cannot_follow_are_refused_with_the_reason() {
     for (system, key, reason) in [
         ("cracks", "direction", "Cracks run in all directions"),
         ("stucco", "direction", "Blotches of stucco have no direction"),
-        ("stucco", "duty", "`options.decay` says how much they cover"),
+        ("stucco", "duty", "`options.decay`"),
     ] {
         let mut lines = varied(&json!({key: noise(40, [0.5, 1.0])}));
         lines["layers"][0]["system"] = json!(system);
@@ -122,11 +122,7 @@ fn maps_that_the_layer_cannot_follow_are_refused_with_the_reason() {
     }
     let mut points = varied(&json!({"direction": noise(40, [0.0, 90.0])}));
     points["layers"][0]["system"] = json!("points");
-    refuses(
-        &points,
-        "layers[0].maps.direction",
-        "Of a field of points the spacing of the points can have a map",
-    );
+    refuses(&points, "layers[0].maps.direction", "field of points");
     points["layers"][0]["maps"] = json!({"area": noise(40, [0.5, 1.0])});
     accepted(&points);
     points["layers"][0]["points"] = json!({"labels": {"kind": "breadth-first"}});
@@ -150,7 +146,7 @@ fn a_map_moves_drawn_marks_unless_they_are_to_be_kept() {
 }
 
 #[test]
-fn the_window_keeps_maps_of_what_it_saves_and_copies_marks_without_them() {
+fn the_window_saves_maps_and_copies_marks_without_them() {
     let document =
         accepted(&varied(&json!({"area": picture([80.0, 300.0]), "colour": noise(90, [-0.5, 0.25])})));
     let mut session = Session::open(document.clone(), None);

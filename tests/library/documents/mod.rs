@@ -1,4 +1,4 @@
-//! Documents: what a `.dapple` file may contain, and the message about each invalid one.
+//! Documents: what a `.dapple` file may contain, and the message about each invalid file.
 
 use assert_cmd::Command;
 use dapple::document::Edges;
@@ -55,7 +55,8 @@ fn error_of_text(text: &str) -> String {
     Document::parse(text, "bad.dapple").unwrap_err().to_string()
 }
 
-/// What a text names: numbers, quoted texts, lists in brackets, items of a list, and a text of one word; not the words between them.
+/// The values that a text names: numbers, quoted texts, lists in brackets, items of a list, and a text of one word. The
+/// words between them are left out.
 fn named(text: &str) -> Vec<&str> {
     let words: Vec<&str> = text.split_whitespace().collect();
     let is_item = |index: usize| words[index].ends_with(',') || index > 0 && words[index - 1].ends_with(',');
@@ -71,7 +72,8 @@ fn named(text: &str) -> Vec<&str> {
     kept.map(|index| words[index].trim_matches(ends)).filter(|word| !word.is_empty()).collect()
 }
 
-/// Asserts that `message` is about this place of `bad.dapple`, and names what `found` and `allowed` name, in this order.
+/// Asserts that `message` is about this place of `bad.dapple`, and names the values in `found` and `allowed`, in this
+/// order.
 #[track_caller]
 fn names(message: &str, place: &str, found: &str, allowed: &str) {
     let rest = message.strip_prefix(&format!("bad.dapple: {place}: "));
@@ -93,14 +95,15 @@ fn refused(document: &Value, place: &str, found: &str, allowed: &str) {
     names(&error_of_text(&document.to_string()), place, found, allowed);
 }
 
-/// Asserts that `text` is refused with a message that names this line, this column and what was found there.
+/// Asserts that `text` is refused with a message that names this line, this column and the characters that were found
+/// there.
 #[track_caller]
 fn no_json(text: &str, line: usize, column: usize, found: &str) {
     names(&error_of_text(text), &format!("line {line}, column {column}"), found, "");
 }
 
 #[test]
-fn what_a_message_names_is_told_from_its_words() {
+fn the_values_in_a_message_are_separated_from_its_words() {
     assert_eq!(named("a number from 0.01 to 512 px"), ["0.01", "512"]);
     assert_eq!(named("the unknown key \"speed\""), ["\"speed\""]);
     assert_eq!(named("level, direction, spacing (did you mean level?)"), ["level", "direction", "spacing"]);

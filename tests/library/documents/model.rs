@@ -1,4 +1,4 @@
-//! The model that a document grows on.
+//! The model on which a document grows.
 
 use super::*;
 use dapple::document::{Axis, Body, BodyEllipse, BodyMark, BodySource, Pin};
@@ -48,7 +48,7 @@ fn a_model_and_marks_on_it_are_read_as_they_were_written() {
 }
 
 #[test]
-fn a_layer_may_be_drawn_on_the_model_alone() {
+fn a_layer_may_have_marks_only_on_the_model() {
     let document = accepted(&with_mark(&json!({"kind": "ellipse", "at": [0, 1, 0], "radii": [12, 6]})));
     assert!(document.layers[0].strokes.is_empty() && !document.layers[0].is_blank());
 }
@@ -61,7 +61,7 @@ fn a_built_in_model_is_known_by_its_name_and_has_no_digest() {
 }
 
 #[test]
-fn what_a_model_cannot_hold_is_refused_with_its_place() {
+fn impossible_values_of_a_model_are_refused_with_their_place() {
     let digest = "the SHA-256 of the file, 64 hexadecimal digits; leave it out if you do not know it";
     refused(&on(json!({"file": "a.obj", "sha256": "12xz"})), "model.sha256", "\"12xz\"", digest);
     refused(&on(json!({"file": "egg", "px": 0})), "model.px", "0", "a number from 1 to 65536 px");

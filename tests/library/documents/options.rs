@@ -72,7 +72,7 @@ fn other_options_are_refused() {
 }
 
 #[test]
-fn an_option_at_its_default_goes_with_any_layer() {
+fn an_option_with_its_default_is_allowed_in_any_layer() {
     let defaults = json!({"spread": "drawn", "irregular": 0, "duty": 0.5, "seeding": "noise", "broken": 0, "keep": false});
     accepted(&with("/layers/0/options", defaults.clone()));
     for system in ["auto", "meinhardt-stripes", "meinhardt-lines"] {
@@ -91,7 +91,7 @@ fn stripes_have_no_spread() {
         document["layers"][0]["strokes"] = json!([{"kind": "line", "from": [1, 1], "to": [50, 50]}]);
         refused(&document, place, found, allowed);
     }
-    // The kind of a freehand stroke is known once it is fitted.
+    // The kind of a freehand stroke is known only after it is fitted.
     let mut document = with("/layers/0/options", json!({"spread": 0.2}));
     document["layers"][0]["strokes"] = json!([{"kind": "freehand", "points": [[1, 1], [30, 2], [60, 1]]}]);
     let error = dapple_engine::synth::drawn::sketch_targets::region_map(&accepted(&document), 0, "a.dapple")
@@ -150,7 +150,7 @@ fn spots_have_no_duty() {
     let allowed = "\"drawn\" or 0.5. Only stripes have a duty; spots are as far apart as they are drawn";
     let place = "layers[0].options.duty";
     refused(&with("/layers/0/options", json!({"duty": 0.3})), place, "0.3", allowed);
-    // The kind of a freehand stroke is known once it is fitted.
+    // The kind of a freehand stroke is known only after it is fitted.
     let mut document = with("/layers/0/options", json!({"duty": 0.3}));
     document["layers"][0]["strokes"] =
         json!([{"kind": "freehand", "points": [[20, 20], [40, 20], [40, 40], [20, 40], [20, 21]]}]);

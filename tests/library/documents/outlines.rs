@@ -10,7 +10,7 @@ fn drawn(points: &Value) -> Value {
 const PLACE: &str = "layers[0].strokes[0].points";
 
 #[test]
-fn an_outline_is_written_as_it_was_read_and_is_the_ellipse_of_its_moments() {
+fn an_outline_is_written_as_it_was_read_and_counts_as_the_ellipse_with_its_moments() {
     // A rectangle 60 × 20 about (90, 70): second moments 60²/12 and 20²/12.
     let document = accepted(&drawn(&json!([[60, 60], [120, 60], [120, 80.0], [60, 80]])));
     let written: Value = serde_json::from_str(&document.to_json()).unwrap();
@@ -34,7 +34,7 @@ fn outlines_that_enclose_nothing_or_cross_themselves_are_refused_with_the_remedy
     let eight = "an outline that crosses itself near [90.0, 60.0], with a loop of 20 % of its area";
     let open = "loops of at most 5 %: draw it without crossing, or draw two outlines";
     refused(&drawn(&json!([[80, 55], [80, 65], [110, 50], [110, 70]])), PLACE, eight, open);
-    // Its centroid is beside the canvas, one of its corners on it.
+    // Its centroid is outside the canvas, one of its corners is on it.
     accepted(&drawn(&json!([[-200, 40], [100, 40], [-100, 90]])));
     refused(
         &drawn(&json!([[-210, 40], [-30, 40], [-120, 100]])),
@@ -50,7 +50,7 @@ fn outlines_that_enclose_nothing_or_cross_themselves_are_refused_with_the_remedy
         "1001 points",
         "at most 1000: leave out those that are nearest to others",
     );
-    // A hand that overshoots a little when it closes the outline.
+    // A hand goes slightly too far when it closes the outline.
     accepted(&drawn(&json!([[40, 40], [100, 40], [100, 100], [40, 100], [40.5, 39], [42, 39]])));
 }
 
@@ -75,7 +75,7 @@ fn an_ellipse_keeps_the_outline_that_it_was_fitted_to_and_grows_as_an_ellipse() 
 }
 
 #[test]
-fn automatic_takes_patches_where_outlines_are_drawn_and_nothing_else_asks_for_spots() {
+fn automatic_chooses_patches_where_outlines_are_drawn_and_no_option_asks_for_spots() {
     let outlined = || drawn(&json!([[60, 60], [120, 60], [120, 80.0], [60, 80]]));
     let takes = |change: &dyn Fn(&mut Value)| {
         let mut document = outlined();

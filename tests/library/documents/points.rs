@@ -1,4 +1,4 @@
-//! The `points` of a layer: what a field of points is made of.
+//! The `points` of a layer: the settings of a field of points.
 
 use super::*;
 use dapple::point_fields::{Interpolation, Labels, Points, Progression, Towards};
@@ -88,7 +88,7 @@ fn wrong_points_are_refused_with_what_is_allowed() {
 }
 
 #[test]
-fn points_go_with_their_system_alone_and_with_ellipses_alone() {
+fn points_are_allowed_only_with_their_system_and_with_ellipses() {
     let mut other = with("/layers/0/points", json!({}));
     refused(
         &other,

@@ -29,7 +29,7 @@ fn path() -> impl Strategy<Value = Stroke> {
     (points, number(0.01, 512.0)).prop_map(|(points, width)| Stroke::path(points, width))
 }
 
-/// A star about a point, so that it does not cross itself.
+/// A star-shaped outline about a point, which therefore does not cross itself.
 fn outline() -> impl Strategy<Value = Stroke> {
     let center = (number(100.0, 400.0), number(60.0, 200.0));
     (center, prop::collection::vec(0.2f64..60.0, 3..60)).prop_map(|((x, y), radii)| {
@@ -101,7 +101,7 @@ fn document() -> impl Strategy<Value = Document> {
     )
 }
 
-/// A surface that has a flat map; its picture is not read.
+/// A surface that has a flat map; its height picture is not read.
 fn parametric() -> impl Strategy<Value = ParametricSurface> {
     let heights = (".{1,20}", number(0.0, 65_536.0))
         .prop_map(|(path, scale)| ParametricSurface::Heights(Relief::new(path, scale)));
@@ -150,7 +150,7 @@ proptest! {
         prop_assert_eq!(read.to_json(), text);
     }
 
-    /// Any damaged file is read, or refused with one line that names the file.
+    /// Any damaged file is read, or is refused with one line that names the file.
     #[test]
     fn a_damaged_file_never_panics(
         document in document(),

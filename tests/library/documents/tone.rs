@@ -48,8 +48,8 @@ fn a_tone_is_written_as_it_was_read() {
 }
 
 #[test]
-fn a_picture_keeps_its_values_and_loses_what_else_is_in_its_file() {
-    // A text between the head and the px, as cameras and editors leave them.
+fn a_picture_keeps_its_values_and_other_data_of_its_file_is_dropped() {
+    // A text chunk between the header and the px, like those that cameras and editors write.
     let bytes = base64_decoded(&png());
     let chunk = |kind: &[u8; 4], data: &[u8]| {
         let body: Vec<u8> = kind.iter().chain(data).copied().collect();
@@ -64,7 +64,7 @@ fn a_picture_keeps_its_values_and_loses_what_else_is_in_its_file() {
 }
 
 #[test]
-fn what_is_no_gray_picture_is_refused_with_the_remedy() {
+fn data_that_is_not_a_gray_picture_is_refused_with_the_remedy() {
     let place = "layers[0].tone.image.png";
     let allowed = "a gray PNG of 8 bits and at most 1024 px a side in base64 (dapple grow --tone embeds any picture so)";
     let wrong =
@@ -110,7 +110,7 @@ fn wrong_values_of_a_tone_are_refused() {
 }
 
 #[test]
-fn a_layer_that_a_picture_drives_is_kept_by_the_editor_without_any_marks() {
+fn the_editor_keeps_a_layer_without_marks_that_a_picture_drives() {
     let document = accepted(&plain());
     let mut session = Session::open(document.clone(), None);
     assert_eq!(session.finished(), document);

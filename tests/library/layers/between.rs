@@ -1,4 +1,4 @@
-//! `between` keeps away from the marks beneath, and each layer has the drawn attributes.
+//! The relation `between`: marks keep away from the marks beneath, and each layer has the drawn attributes.
 
 use super::{cascade, covered, grown, patterns, spots, stripes, try_grow};
 use dapple::document::Spread;
@@ -26,11 +26,11 @@ fn touching(patterns: &[Field]) -> usize {
     touching
 }
 
-/// Above this aspect no direction is measured.
+/// The aspect above which no direction is measured.
 const ROUND: f64 = 0.85;
 
-/// Asserts every layer within 5 % of its area (width), within 5.5 % of its spacing (in lanes one spot wide it is that of a
-/// row) and within 3° of its angle.
+/// Asserts that every layer is within 5 % of its area (width), within 5.5 % of its spacing (where there is room for
+/// only one row of spots, the spacing is that of the row), and within 3° of its angle.
 fn assert_as_drawn(grown: &Grown, of: &str) {
     for (index, layer) in grown.layers.iter().enumerate() {
         let of = format!("{of}, layer {}", index + 1);
@@ -109,7 +109,7 @@ fn three_layers_grow_between_each_other() {
 }
 
 #[test]
-fn neighbouring_spots_stay_apart_where_marks_beneath_squeeze_them() {
+fn neighbouring_spots_stay_apart_where_marks_beneath_leave_little_room() {
     for seed in 3..7 {
         let document = cascade(Edges::Closed, seed, vec![large(), small()]);
         let grown = grown(&document);

@@ -1,4 +1,4 @@
-//! Stripes that cross those of a layer beneath pass under them.
+//! Stripes that cross stripes of a layer beneath pass under these.
 
 use super::{cascade, covered, grown, patterns, stripes};
 use dapple::document::{Ellipse, Layer, Line, Stroke};
@@ -6,8 +6,8 @@ use dapple_engine::grid::{Edges, Field};
 use dapple_engine::synth::Measured;
 use dapple_engine::synth::layer_report::report;
 
-/// Of the places where a column of the canvas passes a stripe of the layer below, the share at which the layer above has the
-/// same on both sides: a stripe or ground.
+/// Of the places where a column of the canvas crosses a stripe of the layer below, the share at which the layer above
+/// is the same on both sides: stripe or ground.
 fn in_line(below: &Field, above: &Field) -> f64 {
     let [beneath, own] = [below, above].map(covered);
     let (width, height) = (above.width, above.height);
@@ -21,7 +21,7 @@ fn in_line(below: &Field, above: &Field) -> f64 {
                 while y < height && !free(y) {
                     y += 1;
                 }
-                // Two points from either edge.
+                // Two points from each edge.
                 if start >= 2 && y + 1 < height {
                     all += 1;
                     same += usize::from(own[(start - 2) * width + x] == own[(y + 1) * width + x]);
@@ -60,7 +60,7 @@ fn stripes_along_those_beneath_find_room_between_them() {
 }
 
 #[test]
-fn a_drawn_line_is_there_where_it_is_not_beneath_and_one_wholly_beneath_is_told() {
+fn a_drawn_line_grows_where_no_stripe_covers_it_and_a_wholly_covered_one_is_reported() {
     let line = |from: [f64; 2], to: [f64; 2], width: f64| Stroke::Line(Line { from, to, width });
     let layer = |strokes: Vec<Stroke>| Layer { strokes, ..Layer::default() };
     let spot = Stroke::Ellipse(Ellipse { center: [180.0, 150.0], radii: [40.0, 30.0], angle: 0.0 });

@@ -1,4 +1,5 @@
-//! `inside`: one smaller mark at each place of the layer beneath, and nothing else of that layer.
+//! The relation `inside`: one smaller mark grows at each place of the layer beneath, and nothing else of that layer is
+//! shown.
 
 use super::{after, cascade, covered, grown, patterns, spots, stripes, try_grow};
 use dapple::document::Edges;
@@ -20,8 +21,8 @@ fn marks(grown: &Grown, layer: usize) -> &[Spot] {
     }
 }
 
-/// For each mark of the layer beneath the number of marks of the next layer that are nearest to it, and the largest distance
-/// of these, in radii of the marks beneath; with `wrap` also across the border.
+/// For each mark of the layer beneath: the number of marks of the next layer that are nearest to it, and their largest
+/// distance, in radii of the marks beneath. With `wrap`, distances go across the border.
 fn hits(grown: &Grown, layer: usize, edges: Edges) -> (Vec<usize>, f64) {
     let side = grown.size.map(f64::from);
     let apart = |a: [f64; 2], b: [f64; 2]| {
@@ -53,7 +54,7 @@ fn assert_one_each(grown: &Grown, layer: usize, edges: Edges, of: &str) {
     assert!(farthest < 0.75, "{of}: {farthest} radii from its place");
 }
 
-/// Asserts area, aspect, angle and spacing of a layer as drawn: within 5 %, 3°.
+/// Asserts that area, aspect, angle and spacing of a layer are the drawn ones, within 5 % and 3°.
 #[track_caller]
 fn assert_as_drawn(grown: &Grown, layer: usize, of: &str) {
     let Measured::Spots { errors, .. } = &grown.layers[layer].marks().expect("marks").measured else {
@@ -78,7 +79,7 @@ fn assert_as_drawn(grown: &Grown, layer: usize, of: &str) {
 }
 
 #[test]
-fn each_place_has_one_mark_and_nothing_else_has_over_ten_seeds() {
+fn each_place_has_one_mark_and_no_mark_is_elsewhere_with_ten_seeds() {
     for edges in [Edges::Wrap, Edges::Closed] {
         for seed in 1..=10 {
             let of = format!("{edges:?}, seed {seed}");

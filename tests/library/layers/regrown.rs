@@ -14,7 +14,7 @@ fn document() -> Document {
     Document { size: [240, 240], ..cascade(Edges::Closed, 1, layers) }
 }
 
-/// `document` grown after `before`, and the number of layers that were grown.
+/// `document`, grown after `before`, and the number of layers that were grown.
 fn after(document: &Document, before: &Grown) -> (Grown, usize) {
     let growth = Growth::begin(document, &Options::default(), Some(before));
     let planned = document.layers.len() - growth.layers().len();

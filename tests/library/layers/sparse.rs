@@ -1,4 +1,5 @@
-//! Spots farther apart than the natural spacing of their system, in one layer: placed one by one, with a note.
+//! Spots that are farther apart than the natural spacing of their system, in one layer: they are placed one by one,
+//! with a note.
 
 use super::{cascade, grown, spots};
 use dapple::document::Edges;
@@ -21,7 +22,7 @@ fn assert_met(grown: &Grown, of: &str) {
     }
 }
 
-/// About forty spots of 20 px² at this spacing in diameters.
+/// A document with about forty spots of 20 px²; their spacing is `diameters` times their diameter.
 fn apart(diameters: f64, aspect: f64, edges: Edges) -> Document {
     let spacing = diameters * (20.0 * 4.0 / std::f64::consts::PI).sqrt();
     let side = (6.0 * spacing).round() as u32;
@@ -29,7 +30,7 @@ fn apart(diameters: f64, aspect: f64, edges: Edges) -> Document {
 }
 
 #[test]
-fn a_spacing_beyond_that_of_the_system_is_met() {
+fn a_spacing_beyond_the_natural_one_is_reached() {
     for edges in [Edges::Wrap, Edges::Closed] {
         for (diameters, aspect) in [(9.0, 1.0), (12.0, 0.5), (20.0, 0.35)] {
             assert_met(
@@ -53,7 +54,7 @@ fn only_some_regions_may_be_sparse() {
     };
     let grown = grown(&document);
     assert_met(&grown, "half sparse");
-    // Without the parameters for the lowest natural density, which take as many steps.
+    // The parameters with the lowest natural density are left out, because they take as many steps.
     assert!(grown.layers[0].steps() < 5_000, "{} steps", grown.layers[0].steps());
 }
 

@@ -10,7 +10,7 @@ pub struct Texture {
     options: TextureOptions,
 }
 
-/// Size and texels of a whole texture or of a part.
+/// Size and texels of a whole texture, or of a part of one.
 fn content(change: &ImageDelta) -> ([usize; 2], impl Iterator<Item = [f32; 4]>) {
     let ImageData::Color(image) = &change.image;
     (image.size, image.pixels.iter().map(|colour| colour.to_array().map(|part| f32::from(part) / 255.0)))
@@ -31,7 +31,7 @@ impl Texture {
         }
     }
 
-    /// The colour at a place, where 0–1 is the whole texture.
+    /// The colour at a place; the whole texture is 0–1 along each side.
     pub fn at(&self, place: [f32; 2]) -> [f32; 4] {
         let [x, y] = [place[0] * self.size[0] as f32, place[1] * self.size[1] as f32];
         if self.options.magnification == TextureFilter::Nearest {

@@ -1,25 +1,25 @@
-//! Triangles whose common edges belong to one of them only, as graphics cards fill them.
+//! Triangles whose common edges belong to only one of them, with the fill rule of graphics cards.
 
 use std::ops::Range;
 
 use egui::epaint::Vertex;
 
-/// Parts of a pixel in which places are counted.
+/// The number of parts into which a pixel is divided for places.
 const PARTS: f32 = 256.0;
 
 /// A corner of a triangle.
 #[derive(Clone, Copy)]
 pub struct Corner {
-    /// In parts of a pixel.
+    /// Its place, in parts of a pixel.
     at: [i64; 2],
-    /// Multiplied by its opacity, 0–1.
+    /// Its colour, multiplied by its opacity, 0–1.
     colour: [f32; 4],
-    /// Of the texture.
+    /// Its place in the texture.
     place: [f32; 2],
 }
 
 impl Corner {
-    /// A vertex on a screen with so many pixels for a point.
+    /// The corner for a vertex, on a screen with `scale` pixels per point.
     pub fn new(vertex: &Vertex, scale: f32) -> Self {
         Self {
             at: [vertex.pos.x, vertex.pos.y].map(|part| (part * scale * PARTS).round() as i64),
@@ -32,11 +32,12 @@ impl Corner {
 /// A triangle with an area.
 pub struct Triangle {
     corners: [Corner; 3],
-    /// Twice the area, in parts².
+    /// Twice its area, in parts².
     area: i64,
 }
 
-/// On which side of the line from `a` to `b` a point is: twice the area of their triangle.
+/// The side of the line from `a` to `b` on which a point is, as the sign; the value is twice the area of their
+/// triangle.
 fn side(a: [i64; 2], b: [i64; 2], point: [i64; 2]) -> i64 {
     (b[0] - a[0]) * (point[1] - a[1]) - (b[1] - a[1]) * (point[0] - a[0])
 }
@@ -47,7 +48,7 @@ fn owns(a: [i64; 2], b: [i64; 2]) -> bool {
 }
 
 impl Triangle {
-    /// `None` without an area.
+    /// The triangle with these corners; `None` if it has no area.
     pub fn new(mut corners: [Corner; 3]) -> Option<Self> {
         let area = side(corners[0].at, corners[1].at, corners[2].at);
         if area < 0 {
@@ -56,7 +57,8 @@ impl Triangle {
         (area != 0).then_some(Self { corners, area: area.abs() })
     }
 
-    /// Calls `paint` with each of these pixels whose middle is inside, the colour and the place of the texture there.
+    /// Calls `paint` for each of these pixels whose middle is inside, with the colour and the place in the texture
+    /// there.
     pub fn fill(
         &self,
         [columns, rows]: [Range<i64>; 2],

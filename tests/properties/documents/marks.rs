@@ -1,19 +1,19 @@
-//! Random marks: in proportion to the canvas, as users draw them, or of any size and form.
+//! Random marks: in proportion to the canvas, like those that users draw, or of any size and shape.
 
 use dapple_engine::document::limits::MIN_LENGTH;
 use dapple_engine::document::{Ellipse, Kind, Line, Path, Stroke};
 use proptest::prelude::*;
 
-/// How large marks are.
+/// The sizes of marks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sizes {
-    /// In proportion to the canvas, and formed as they are drawn.
+    /// In proportion to the canvas, with shapes like drawn ones.
     Usual,
-    /// The same, half as large: those of a layer that finds its room between the marks of another.
+    /// Half as large as [`Self::Usual`]: for a layer that must find room between the marks of another one.
     Small,
-    /// Of any form, thick or thin, at least so thick that the grid of a small canvas is small.
+    /// Of any shape, thick or thin, but thick enough that the grid of a small canvas is small.
     Any,
-    /// Formed as they are drawn, as thick and as thin as documents may hold, also beside the canvas.
+    /// With shapes like drawn ones, as thick and as thin as documents may hold, also outside the canvas.
     Wild,
 }
 
@@ -27,7 +27,7 @@ fn any_thickness() -> impl Strategy<Value = f64> {
     prop_oneof![2.0..9.0_f64, 1.5..30.0_f64]
 }
 
-/// Centres and ends of marks: on the canvas, of wild marks also as far beside it as documents may hold.
+/// Centres and ends of marks: on the canvas; wild marks may be as far outside as documents may hold.
 fn place([width, height]: [f64; 2], sizes: Sizes) -> BoxedStrategy<[f64; 2]> {
     let on = point([width, height]);
     if sizes != Sizes::Wild {
@@ -51,7 +51,7 @@ fn side([width, height]: [f64; 2]) -> f64 {
     width.min(height)
 }
 
-/// So many sides of a canvas, but at least `least` px.
+/// A length between these numbers of sides of a canvas, but at least `least` px.
 fn share(size: [f64; 2], [low, high]: [f64; 2], least: f64) -> std::ops::Range<f64> {
     let [low, high] = [low, high].map(|share| side(size) * share);
     low.max(least)..high.max(1.5 * least)
@@ -92,7 +92,7 @@ fn ellipse(size: [f64; 2], sizes: Sizes) -> impl Strategy<Value = Ellipse> {
     })
 }
 
-/// From `from`, each time a step on, which turns by so many degrees.
+/// The points of a path from `from`, each one a step farther, in a direction that changes by this number of degrees.
 fn course(from: [f64; 2], mut degrees: f64, step: f64, turns: &[f64], size: [f64; 2]) -> Points {
     let mut points = vec![from];
     for turn in turns {
@@ -109,7 +109,7 @@ fn course(from: [f64; 2], mut degrees: f64, step: f64, turns: &[f64], size: [f64
     points
 }
 
-/// So many points of a line: bent a little, or anywhere.
+/// Points of a line, `count` of them: slightly bent, or anywhere.
 fn points(size: [f64; 2], count: std::ops::Range<usize>, sizes: Sizes) -> BoxedStrategy<Points> {
     if sizes == Sizes::Any {
         return prop::collection::vec(point(size), count).boxed();
@@ -145,7 +145,7 @@ fn freehand_line(size: [f64; 2], sizes: Sizes) -> impl Strategy<Value = Stroke> 
         .prop_map(|(points, width)| Stroke::Freehand { points, width })
 }
 
-/// Round an ellipse, or any scribble.
+/// A stroke around an ellipse, or any scribble.
 fn freehand_spot(size: [f64; 2], sizes: Sizes) -> BoxedStrategy<Stroke> {
     if sizes == Sizes::Any {
         return freehand_line(size, sizes).boxed();
@@ -155,7 +155,7 @@ fn freehand_spot(size: [f64; 2], sizes: Sizes) -> BoxedStrategy<Stroke> {
         .boxed()
 }
 
-/// Points round an ellipse, the first again at the end.
+/// Points around an ellipse; the last one repeats the first.
 fn around(ellipse: &Ellipse, count: usize) -> Points {
     let (s, c) = ellipse.angle.to_radians().sin_cos();
     let at = |k: usize| {
@@ -166,7 +166,7 @@ fn around(ellipse: &Ellipse, count: usize) -> Points {
     (0..=count).map(at).collect()
 }
 
-/// A star about a point of the canvas, which may leave it.
+/// A star-shaped outline about a point of the canvas, which may reach outside.
 fn outline(size: [f64; 2], sizes: Sizes) -> BoxedStrategy<Stroke> {
     let radii = match sizes {
         Sizes::Any => prop::collection::vec(2.0..20.0_f64, 3..20).boxed(),
@@ -210,7 +210,8 @@ pub fn strokes(size: [u32; 2], kind: Kind, sizes: Sizes) -> BoxedStrategy<Vec<St
     prop::collection::vec(mark, 1..5).boxed()
 }
 
-/// One or two lines of one direction and as many of another, which cross in the middle of the canvas.
+/// One or two lines of one direction, and the same number of another direction, which cross in the middle of the
+/// canvas.
 pub fn crossing_lines(size: [u32; 2], sizes: Sizes) -> impl Strategy<Value = Vec<Stroke>> {
     let size = size.map(f64::from);
     let offset = move || -0.15 * side(size)..0.15 * side(size);

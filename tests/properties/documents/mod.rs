@@ -1,7 +1,7 @@
-//! Documents of every kind of layer, system and option, as users might draw them, and with random values.
+//! Random documents with every kind of layer, system and option, both like those of users and with arbitrary values.
 //!
 //! Most are [`usual`](usual_document): the system is chosen first, and marks, options and what lies beneath suit it, in
-//! proportion to the canvas. A few hold [anything](any_layer), whatever goes together and of any size.
+//! proportion to the canvas. A few hold [anything](any_layer), of any size, whether or not it fits together.
 
 mod marks;
 mod options;
@@ -22,12 +22,12 @@ use points::{points, wild_points};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 
-/// Of so many documents one is any document.
+/// One out of this number of documents is an arbitrary one.
 const ANY: u32 = 16;
-/// Sides of the canvases of these begin here, px.
+/// The least side of the canvases of arbitrary documents, px.
 const LEAST: u32 = 8;
 
-/// What a layer holds beside its system, its `after` and its marks.
+/// The parts of a layer apart from its system, its `after` and its marks.
 fn rest(size: [u32; 2], sizes: Sizes) -> impl Strategy<Value = Layer> {
     let side = f64::from(size[0].min(size[1]));
     let usual = (0.03 * side).max(2.0)..(0.09 * side).max(4.0);
@@ -52,7 +52,7 @@ fn kind() -> impl Strategy<Value = Kind> {
     prop::sample::select(vec![Kind::Ellipse, Kind::Line])
 }
 
-/// A layer of any marks, system and `after`; what the reader refuses is put back to its default.
+/// A layer with any marks, system and `after`. Settings that the reader refuses are reset to their defaults.
 fn any_layer(size: [u32; 2]) -> impl Strategy<Value = Layer> {
     kind().prop_flat_map(move |kind| {
         let system = prop::sample::select(all_systems());
@@ -79,7 +79,7 @@ fn all_systems() -> Vec<SystemChoice> {
     SystemChoice::names().into_iter().map(|(_, system)| system).collect()
 }
 
-/// The systems that a layer of this kind of marks may ask for.
+/// The systems that a layer with this kind of marks may ask for.
 fn systems(after: After, marks: Kind, is_lowest: bool) -> Vec<SystemChoice> {
     let layer = Layer { after, ..Layer::default() };
     let beneath = if is_lowest { Beneath::Nothing } else { Beneath::Grows(Kind::Ellipse) };
@@ -97,19 +97,19 @@ fn suited_strokes(
 ) -> BoxedStrategy<Vec<Stroke>> {
     let usual = strokes(size, kind, sizes);
     match (system.pairs(), system.areas(), system.kind()) {
-        // Threads of two directions at least.
+        // Threads of at least two directions.
         (Some(PairKind::Weave | PairKind::Maze), ..) => crossing_lines(size, sizes).boxed(),
         (_, Some(AreaKind::Polygons), _) => {
             let lines = prop_oneof![3 => Just(Vec::new()), 1 => strokes(size, Kind::Line, sizes)];
             (usual, lines).prop_map(|(cells, lines)| [cells, lines].concat()).boxed()
         }
-        // Nothing has to be drawn.
+        // No marks have to be drawn.
         (.., Some(Family::Points | Family::Growth)) => prop_oneof![1 => Just(Vec::new()), 2 => usual].boxed(),
         _ => usual,
     }
 }
 
-/// A layer of this system, and what it takes.
+/// A layer with this system, and settings that it allows.
 fn suited_layer(
     size: [u32; 2],
     after: After,
@@ -124,7 +124,7 @@ fn suited_layer(
     })
 }
 
-/// The lowest layer: of any system, half of those with another above of spots.
+/// The lowest layer, with any system. If there is a layer above, half of these layers are spots.
 fn lowest_layer(size: [u32; 2], is_covered: bool, sizes: Sizes) -> impl Strategy<Value = Layer> {
     let system = prop::sample::select(all_systems());
     let any = (system, kind()).prop_map(|(system, kind)| (system, system.grows().unwrap_or(kind)));
@@ -164,13 +164,13 @@ fn beneath(document: &Document, index: usize) -> Beneath {
     }
 }
 
-/// The kind of the marks of a layer, freehand strokes fitted.
+/// The kind of the marks of a layer, with freehand strokes fitted.
 fn marks_of(layer: &Layer) -> Option<Kind> {
     let marks = layer.strokes.iter().filter_map(Stroke::mark);
     Kind::of_layer(marks.map(|mark: Mark| Kind::from(&mark)))
 }
 
-/// Puts back to its default whatever does not go with the layers beneath.
+/// Resets settings that are not allowed with the layers beneath to their defaults.
 fn fitted(mut document: Document) -> Document {
     for index in 0..document.layers.len() {
         let (beneath, marks) = (beneath(&document, index), marks_of(&document.layers[index]));
@@ -182,7 +182,7 @@ fn fitted(mut document: Document) -> Document {
             layer.system = SystemChoice::Auto;
         }
         if !layer.system.takes_lines_beside() {
-            // Freehand strokes can be fitted by other marks than they were made for.
+            // A freehand stroke can be fitted by another kind of mark than the one from which it was made.
             layer.strokes.retain(|stroke| stroke.mark().as_ref().map(Kind::from) == marks);
         }
         layer_rules::tidy(layer, marks);
@@ -190,9 +190,8 @@ fn fitted(mut document: Document) -> Document {
     document
 }
 
-/// The lowest layer has none beneath it to relate to, and those above what scattered points make grow
-/// between it.
-fn on_the_ground(mut layers: Vec<Layer>) -> Vec<Layer> {
+/// Sets the relations of layers: the lowest has none beneath it, and those above scattered points grow between them.
+fn with_relations(mut layers: Vec<Layer>) -> Vec<Layer> {
     for index in 0..layers.len() {
         if index == 0 || layers[index - 1].is_of_points() {
             layers[index].after = After::Between;
@@ -201,7 +200,7 @@ fn on_the_ground(mut layers: Vec<Layer>) -> Vec<Layer> {
     layers
 }
 
-/// A canvas of so many px, with these layers.
+/// A canvas of this size, with these layers.
 fn canvas(size: [u32; 2], layers: impl Strategy<Value = Vec<Layer>>) -> impl Strategy<Value = Document> {
     let regions = prop::option::of((1..=3_u32, 1..=3_u32).prop_map(<[u32; 2]>::from));
     let edges = prop::sample::select(vec![Edges::Closed, Edges::Wrap]);
@@ -212,14 +211,14 @@ fn canvas(size: [u32; 2], layers: impl Strategy<Value = Vec<Layer>>) -> impl Str
     })
 }
 
-/// Sides between these, small ones more often: as often from 50 to 100 px as from 100 to 200.
+/// Random sides in this range, small ones more often: from 50 to 100 px as often as from 100 to 200.
 fn sides([low, high]: [u32; 2]) -> impl Strategy<Value = [u32; 2]> {
     let [low, high] = [low, high].map(f64::from);
     let side = move || (0.0..=1.0_f64).prop_map(move |share| (low * (high / low).powf(share)).round() as u32);
     (side(), side()).prop_map(<[u32; 2]>::from)
 }
 
-/// A document whose parts go together.
+/// A document whose parts suit each other.
 fn usual_document(range: [u32; 2], layers: usize) -> impl Strategy<Value = Document> {
     let document = (sides(range), 1..=layers).prop_flat_map(|(size, count)| {
         let upper = prop::collection::vec(upper_layer(size, Sizes::Small), count - 1);
@@ -229,7 +228,7 @@ fn usual_document(range: [u32; 2], layers: usize) -> impl Strategy<Value = Docum
     document.prop_map(fitted)
 }
 
-/// A document whose parts go together, with numbers from the whole of what is allowed, on a canvas of up to `most` px.
+/// A document whose parts suit each other, with numbers from the whole allowed range, on a canvas of up to `most` px.
 pub fn wild_document(most: u32, layers: usize) -> impl Strategy<Value = Document> {
     let document = (sides([1, most]), 1..=layers).prop_flat_map(|(size, count)| {
         let upper = prop::collection::vec(upper_layer(size, Sizes::Wild), count - 1);
@@ -247,17 +246,17 @@ pub fn wild_document(most: u32, layers: usize) -> impl Strategy<Value = Document
     })
 }
 
-/// A document of anything.
+/// An arbitrary document.
 fn any_document_of([_, high]: [u32; 2], layers: usize) -> impl Strategy<Value = Document> {
     let size = (LEAST..=high, LEAST..=high).prop_map(<[u32; 2]>::from);
     size.prop_flat_map(move |size| {
         let layers = (prop::collection::vec(any_layer(size), 1..=layers), prop::bool::weighted(0.9));
-        let layers = layers.prop_map(|(layers, usual)| if usual { on_the_ground(layers) } else { layers });
+        let layers = layers.prop_map(|(layers, usual)| if usual { with_relations(layers) } else { layers });
         canvas(size, layers)
     })
 }
 
-/// A document on a canvas with sides of so many px, with up to so many layers; not every one is valid.
+/// A document on a canvas with sides in this range, with at most this number of layers; not every one is valid.
 pub fn any_document(sides: [u32; 2], layers: usize) -> impl Strategy<Value = Document> {
     prop_oneof![
         ANY - 1 => usual_document(sides, layers),

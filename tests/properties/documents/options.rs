@@ -15,12 +15,12 @@ fn spread() -> impl Strategy<Value = SpreadChoice> {
     prop_oneof![2 => Just(SpreadChoice::Drawn), 1 => given]
 }
 
-/// Some of all options, whatever the layer takes.
+/// Random values of some of all options, whether or not the layer allows them.
 pub fn options() -> BoxedStrategy<LayerOptions> {
     options_of(1.0..=30.0)
 }
 
-/// The same, with gaps from the whole of what is allowed.
+/// Random values of some of all options, with gaps from the whole allowed range.
 pub fn wild_options() -> BoxedStrategy<LayerOptions> {
     options_of(GAP.low..=GAP.high)
 }
@@ -70,12 +70,12 @@ pub fn colours() -> impl Strategy<Value = Colours> {
     })
 }
 
-/// Mostly no maps; noise and pictures that vary what is drawn by up to a half, or shift colours.
+/// Mostly no maps; otherwise noise and pictures that vary the drawn attributes by up to a half, or shift colours.
 pub fn maps() -> BoxedStrategy<LayerMaps> {
     maps_of((5.0..90.0_f64).boxed(), 0.5..1.5)
 }
 
-/// The same with noise of any size that is allowed, and by more.
+/// Maps with noise of any allowed size, and with larger variation.
 pub fn wild_maps() -> BoxedStrategy<LayerMaps> {
     let any = (0.0..=1.0_f64).prop_map(|share| {
         let Limits { low, high, .. } = MAP_SIZE;

@@ -23,7 +23,7 @@ fn labels() -> impl Strategy<Value = Labels> {
     ]
 }
 
-/// Labels with any numbers that are allowed.
+/// Labels with any allowed numbers.
 fn wild_labels() -> impl Strategy<Value = Labels> {
     let cluster = || prop_oneof![3 => 1..60_u32, 1 => CLUSTER[0]..=CLUSTER[1]];
     let rings = || 0..=RINGS;
@@ -40,13 +40,13 @@ fn wild_labels() -> impl Strategy<Value = Labels> {
     ]
 }
 
-/// Any points of a field, so far apart; none at random are those that follow what is drawn.
+/// Points of a field with any labels, at distances in this range. Points without labels follow the drawn marks.
 pub fn points(distances: Range<f64>) -> impl Strategy<Value = Points> {
     let distance = (distances.clone(), distances).prop_map(<[f64; 2]>::from);
     points_of(distance.boxed(), labels().boxed())
 }
 
-/// The same with any labels, mostly so far apart, and at any distance that is allowed.
+/// Points of a field with any labels, mostly at the usual distances, and at any allowed distance.
 pub fn wild_points(usual: Range<f64>) -> impl Strategy<Value = Points> {
     let Limits { low, high, .. } = POINT_DISTANCE;
     let any = (0.0..=1.0_f64).prop_map(move |share| (low * (high / low).powf(share)).clamp(low, high));

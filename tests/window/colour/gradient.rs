@@ -78,7 +78,7 @@ fn handles_bend_the_transition() {
     hand.reach("Bend by hand");
     let first = hand.place("First handle").center();
     let second = hand.place("Second handle").center();
-    // The handles of a straight transition are in the corners: they span the plot.
+    // The handles of a straight transition are in the corners, so they give the size of the plot.
     let room = second - first;
     hand.pull(first, first + vec2(0.5 * room.x, 0.25 * room.y), |_| {});
     let bend = hand.colours(0).bend(0);
@@ -201,13 +201,13 @@ fn a_checkerboard_is_seen_through_a_transparent_texture() {
     );
 }
 
-/// px of the shown texture that have the light and the dark gray of the checkerboard.
+/// The number of px of the shown texture that have the light gray and the dark gray of the checkerboard.
 fn squares(hand: &mut Hand) -> [usize; 2] {
     let shown = hand.place("Texture, finished");
     let shot = picture(hand);
     let inside = |x: u32, y: u32| shown.contains(pos2(x as f32, y as f32));
     [250, 218].map(|gray: u8| {
-        // The ground has a trace of the next colour.
+        // The ground contains a trace of the next colour.
         let is_gray = |px: &image::Rgba<u8>| px.0[..3].iter().all(|value| value.abs_diff(gray) <= 5);
         shot.enumerate_pixels().filter(|(x, y, px)| inside(*x, *y) && is_gray(px)).count()
     })
@@ -254,7 +254,7 @@ fn the_bar_and_the_curve_show_the_values_of_the_library() {
         let worst = near.into_iter().map(|colour| off(colour, px(&seen, x, bar.center().y))).min();
         assert!(worst <= Some(3), "the bar at {x} is off by {worst:?}");
     }
-    // The curve's line is the darkest of its column.
+    // The line of the curve is the darkest px of its column.
     hand.reach("Bend by hand");
     hand.window.get_by_label("First handle").scroll_to_me();
     hand.window.run_steps(60);

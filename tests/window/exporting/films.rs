@@ -30,7 +30,7 @@ fn a_film_plays_in_the_preview_and_is_written_as_shown() {
         film.args(["--seconds", "0.4", "-q"]).assert().success();
         assert!(fs::read(&path).unwrap() == fs::read(&other).unwrap(), "{format}");
         if format != "GIF" {
-            // Readers of plain PNGs show the first frame of an animated one.
+            // Decoders of plain PNGs show the first frame of an animated one.
             same(&made.frames()[0].0, &path);
         }
     }

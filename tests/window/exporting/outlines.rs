@@ -1,4 +1,4 @@
-//! Outlines: the preview shows what is written, as another renderer draws it.
+//! Outlines: the preview shows the written file, like another renderer draws it.
 
 use super::*;
 

@@ -1,4 +1,4 @@
-//! Pictures and materials: the preview equals what is written, and what `dapple grow` writes.
+//! Pictures and materials: the preview equals the written file and the file of `dapple grow`.
 
 use super::*;
 
@@ -78,7 +78,7 @@ fn patterns_labels_and_concentrations_are_written_from_the_dialog() {
     }
 }
 
-/// The px of a PNG, which may contain a document too; all bytes of other files.
+/// The px of a PNG, which may also contain a document; of other files, all bytes.
 fn decoded_or_bytes(path: &Path) -> Vec<u8> {
     match image::open(path) {
         Ok(image) => image.into_bytes(),
@@ -99,7 +99,7 @@ fn larger_pictures_have_a_smaller_preview_and_are_written_in_full_size() {
 }
 
 #[test]
-fn more_texture_is_grown_for_the_preview_and_not_again_for_the_file() {
+fn a_larger_canvas_is_grown_for_the_preview_and_not_again_for_the_file() {
     let (mut hand, folder) = small();
     open(&mut hand, "Picture");
     hand.press("Larger canvas");

@@ -1,4 +1,4 @@
-//! Maps: what varies over the canvas by noise or by a picture.
+//! Maps: attributes that vary over the canvas by noise or by a picture.
 
 use dapple::document::{LayerMaps, MapChange, MapKey, MapSource};
 use egui::accesskit::Role;
@@ -8,7 +8,7 @@ use egui_kittest::kittest::Queryable;
 use crate::hand::{Hand, hand};
 use crate::layers::{choose, undo};
 
-/// Two ellipses, with the rows of what varies unfolded.
+/// A window with two ellipses, with the rows about variation unfolded.
 fn two_ellipses() -> Hand {
     let mut hand = hand();
     hand.key(Modifiers::NONE, Key::E);
@@ -44,7 +44,7 @@ fn set(hand: &mut Hand, name: &str, text: &str) {
 }
 
 #[test]
-fn noise_is_chosen_for_an_attribute_set_and_taken_away() {
+fn noise_is_chosen_for_an_attribute_changed_and_removed() {
     let mut hand = two_ellipses();
     assert!(
         hand.window.query_by_role_and_label(Role::ComboBox, "Width varies").is_none(),
@@ -66,7 +66,7 @@ fn noise_is_chosen_for_an_attribute_set_and_taken_away() {
 }
 
 #[test]
-fn a_picture_turns_marks_or_says_their_direction() {
+fn a_picture_turns_marks_or_sets_their_direction() {
     let mut hand = two_ellipses();
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("ramp.png");

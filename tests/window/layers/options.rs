@@ -13,15 +13,15 @@ fn the_relation_to_the_layers_beneath_is_chosen_by_a_picture() {
     let mut hand = two();
     hand.press("How it grows");
     for (name, after) in [("Around", After::Around), ("Net", After::Net), ("Between", After::Between)] {
-        hand.press(&format!("Meets: {name}"));
+        hand.press(&format!("Grows: {name}"));
         assert_eq!(hand.document().layers[1].after, after);
     }
-    // A layer of lines has no spots to stand inside others.
-    hand.press("Meets: Inside");
+    // A layer of lines has no spots that could grow inside others.
+    hand.press("Grows: Inside");
     assert_eq!(hand.document().layers[1].after, After::Between);
     // The lowest layer has no relation to choose.
     hand.press("Layer layer 1, 2 ellipses");
-    let net = hand.window.get_by_role_and_label(Role::Button, "Meets: Net");
+    let net = hand.window.get_by_role_and_label(Role::Button, "Grows: Net");
     assert!(net.accesskit_node().is_disabled());
     undo(&mut hand);
     assert_eq!(hand.document().layers[1].after, After::Net);
@@ -50,12 +50,12 @@ fn a_system_is_chosen_and_reset() {
 fn options_of_stripes() {
     let mut hand = two();
     hand.press("How it grows");
-    hand.press("Share as drawn");
-    hand.type_into("Share", "30");
+    hand.press("Stripe width as drawn");
+    hand.type_into("Stripe width", "30");
     assert_eq!(hand.document().layers[1].options.duty, DutyChoice::Given(0.3));
-    hand.type_into("Share", "90");
+    hand.type_into("Stripe width", "90");
     assert_eq!(hand.document().layers[1].options.duty, DutyChoice::Given(0.82));
-    hand.type_into("Share", "50");
+    hand.type_into("Stripe width", "50");
     assert_eq!(hand.document().layers[1].options.duty, DutyChoice::Given(0.5));
     choose(&mut hand, "Starts from", "Drawn lines");
     assert_eq!(hand.document().layers[1].options.seeding, Seeding::Initiators);
@@ -66,7 +66,7 @@ fn options_of_stripes() {
     assert_eq!(hand.document().layers[1].options.keep, Some(!kept));
     hand.press("Keep marks: default");
     assert_eq!(hand.document().layers[1].options.keep, None);
-    hand.press("Meets: Around");
+    hand.press("Grows: Around");
     hand.type_into("Broken", "25");
     assert_eq!(hand.document().layers[1].options.broken, 0.25);
     undo(&mut hand);

@@ -1,4 +1,4 @@
-//! Fields of points: what their rows set.
+//! Fields of points: the settings of their rows.
 
 use std::fs;
 
@@ -15,7 +15,7 @@ fn points(hand: &Hand) -> Points {
     hand.document().layers[0].point_field().expect("a field of points")
 }
 
-/// A canvas that was filled by a click, with its settings unfolded.
+/// A window whose canvas was filled by a click, with the settings unfolded.
 fn cow() -> Hand {
     let mut hand = hand();
     hand.press("A cow");
@@ -23,7 +23,7 @@ fn cow() -> Hand {
     hand
 }
 
-/// Scrolls the settings until the control shows.
+/// Scrolls the settings until the control is visible.
 fn scroll_to(hand: &mut Hand, role: Role, name: &str) {
     hand.window.get_by_role_and_label(role, name).scroll_to_me();
     hand.window.run_steps(60);
@@ -75,11 +75,11 @@ fn every_row_of_a_field_of_points_sets_its_value() {
     pick(&mut hand, "Towards", "An angle");
     set(&mut hand, "Angle", "30");
     assert_eq!((points(&hand).shift, points(&hand).towards), (0.4, Towards::Angle(30.0)));
-    set(&mut hand, "Share", "25");
+    set(&mut hand, "Dark area", "25");
     assert_eq!(points(&hand).share, Some(0.25));
-    hand.reach("Share: default");
+    hand.reach("Dark area: default");
     assert_eq!(points(&hand).share, None);
-    hand.reach("Share automatic");
+    hand.reach("Dark area automatic");
     assert!(points(&hand).share.is_some());
     pick(&mut hand, "Borders", "Sharp");
     assert_eq!(points(&hand).interpolation, Interpolation::Nearest);
@@ -88,7 +88,7 @@ fn every_row_of_a_field_of_points_sets_its_value() {
 }
 
 #[test]
-fn kinds_of_labels_are_chosen_by_a_picture_and_have_rows_of_their_own() {
+fn kinds_of_labels_are_chosen_by_a_picture_and_have_their_own_rows() {
     let mut hand = cow();
     for (kind, row, typed, labels) in [
         ("Grays", "Points a group", "4", Labels::Values { group: 4 }),

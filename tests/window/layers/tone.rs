@@ -1,4 +1,4 @@
-//! A picture that drives a layer: dropped, chosen, and what its rows set.
+//! A picture that drives a layer: it is dropped or chosen, and its rows change settings.
 
 use std::path::{Path, PathBuf};
 
@@ -24,7 +24,7 @@ fn ball(folder: &Path) -> PathBuf {
     path
 }
 
-/// A new document that a dropped picture drives, with its rows unfolded.
+/// A window with a new document that a dropped picture drives, with its rows unfolded.
 fn driven(folder: &Path) -> Hand {
     let mut hand = hand();
     drop_file(&mut hand, &ball(folder));
@@ -85,7 +85,7 @@ fn a_dropped_picture_drives_an_empty_document_and_can_be_undone() {
 }
 
 #[test]
-fn a_dropped_picture_drives_the_lowest_layer_with_what_is_drawn_there() {
+fn a_dropped_picture_drives_the_lowest_layer_and_its_marks_are_kept() {
     let folder = tempfile::tempdir().unwrap();
     let mut hand = hand();
     hand.draw_round([150.0, 200.0], [20.0, 20.0], 0.0);
@@ -118,7 +118,7 @@ fn every_row_of_a_tone_sets_its_value() {
 }
 
 #[test]
-fn what_follows_the_picture_is_ticked_and_one_thing_always_does() {
+fn the_attributes_that_follow_the_picture_are_ticked_and_at_least_one_is() {
     let folder = tempfile::tempdir().unwrap();
     let mut hand = driven(folder.path());
     for name in ["Ink", "Direction"] {
@@ -135,7 +135,7 @@ fn what_follows_the_picture_is_ticked_and_one_thing_always_does() {
 }
 
 #[test]
-fn a_picture_is_chosen_replaced_and_taken_away() {
+fn a_picture_is_chosen_replaced_and_removed() {
     let folder = tempfile::tempdir().unwrap();
     let mut hand = hand();
     hand.draw_round([150.0, 200.0], [20.0, 20.0], 0.0);
@@ -162,7 +162,7 @@ fn turings_growth_is_chosen_for_a_picture() {
     let mut hand = driven(folder.path());
     hand.click_role(Role::ComboBox, "System");
     hand.rest();
-    // The last one of the list, beneath its edge.
+    // The last entry of the list, which is below its visible part.
     hand.reach("Turing's growth");
     assert_eq!(layer(&hand).system, SystemChoice::Of(TURING_GROWTH));
     assert!(layer(&hand).tone.is_some());

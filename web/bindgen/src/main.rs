@@ -1,4 +1,4 @@
-//! Makes the JavaScript around the module: `bindgen MODULE.wasm FOLDER`.
+//! Writes the JavaScript that calls the WebAssembly module: `bindgen MODULE.wasm FOLDER`.
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

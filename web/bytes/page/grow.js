@@ -1,9 +1,9 @@
-// A document in, the files of `dapple grow` out: for node and for pages.
+// Grows a document with the WebAssembly module and returns the files of `dapple grow`; for node and for pages.
 
 const KINDS = ['error', 'picture', 'pattern', 'model'];
 
 /**
- * Grows a document in a memory of its own.
+ * Grows a document in its own memory.
  * @param {WebAssembly.Module} module
  * @param {Uint8Array} document the bytes of its file
  * @returns {Promise<{kind: string, bytes: Uint8Array}[]>} or an error that says why it cannot be grown

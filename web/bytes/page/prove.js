@@ -1,4 +1,4 @@
-// Grows the golden documents in this tab and compares their files with the table that the desktop's program has made.
+// Grows the golden documents in this tab and compares their files with the table that the desktop program has made.
 
 const table = await (await fetch('expected.json')).json();
 const rows = new Map(table.documents.map((one) => [one.name, row(one)]));

@@ -1,5 +1,5 @@
-//! Grows a document and writes what `dapple grow FILE -o PICTURE.png --pattern PATTERN.png` does; of a model the picture that
-//! `--size 512x512` draws, and the `.ply`, which holds the value of each vertex.
+//! Grows a document and makes the files that `dapple grow FILE -o PICTURE.png --pattern PATTERN.png` writes; for a
+//! model, the picture with `--size 512x512`, and the `.ply`, which holds the value of each vertex.
 
 use std::io::Cursor;
 
@@ -16,10 +16,10 @@ use dapple_engine::synth::{Growth, Options, Watch};
 
 /// Azimuth and elevation of the picture of a model, degrees: those of `dapple grow`.
 const VIEW: [f64; 2] = [-30.0, 18.0];
-/// Its width and height, px.
+/// Width and height of the picture of a model, px.
 const SIZE: [u32; 2] = [512, 512];
 
-/// What a file is.
+/// The kind of a file.
 #[derive(Clone, Copy)]
 pub enum Kind {
     Error,
@@ -28,13 +28,13 @@ pub enum Kind {
     Model,
 }
 
-/// A file.
+/// A file that was written.
 pub struct Written {
     pub kind: Kind,
     pub bytes: Vec<u8>,
 }
 
-/// A text that says what is wrong.
+/// An error message, as a file.
 pub fn error(text: &str) -> Written {
     Written { kind: Kind::Error, bytes: text.as_bytes().to_vec() }
 }

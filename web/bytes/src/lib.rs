@@ -1,10 +1,12 @@
-//! A document in, the files of `dapple grow` out, for whoever can call WebAssembly: node, or a page.
+//! A WebAssembly module that takes a document and returns the files of `dapple grow`. It can be called from node or
+//! from a page.
 //!
 //! ```text
 //!  room(n) ─▶ n bytes are written there ─▶ grow() ─▶ files(), then of each: name, start, length
 //! ```
 //!
-//! One thread calls. Where `grow` gives 1, the only file is `error`, a text; where it traps, that text says why.
+//! Only one thread calls. Where `grow` returns 1, the only file is `error`, a text; where `grow` traps, that text gives
+//! the reason.
 
 mod grown;
 
@@ -14,7 +16,7 @@ use std::panic;
 use grown::{Written, error};
 
 thread_local! {
-    /// What is read and what was written.
+    /// The document that is read and the files that were written.
     static EXCHANGE: RefCell<Exchange> = const { RefCell::new(Exchange { document: Vec::new(), files: Vec::new() }) };
 }
 
@@ -23,7 +25,7 @@ struct Exchange {
     files: Vec<Written>,
 }
 
-/// Makes room for a document of so many bytes, and says where.
+/// Makes room for a document with this number of bytes, and returns the address.
 #[unsafe(no_mangle)]
 pub extern "C" fn room(bytes: usize) -> *mut u8 {
     panic::set_hook(Box::new(|panic| keep(vec![error(&panic.to_string())])));
@@ -33,7 +35,7 @@ pub extern "C" fn room(bytes: usize) -> *mut u8 {
     })
 }
 
-/// Grows the document. Gives 0, or 1 where that cannot be done.
+/// Grows the document. Returns 0, or 1 where the document cannot be grown.
 #[unsafe(no_mangle)]
 pub extern "C" fn grow() -> u32 {
     let document = EXCHANGE.with_borrow_mut(|exchange| std::mem::take(&mut exchange.document));
@@ -43,25 +45,25 @@ pub extern "C" fn grow() -> u32 {
     failed
 }
 
-/// How many files were written.
+/// The number of files that were written.
 #[unsafe(no_mangle)]
 pub extern "C" fn files() -> usize {
     EXCHANGE.with_borrow(|exchange| exchange.files.len())
 }
 
-/// Where a file begins.
+/// The address of a file.
 #[unsafe(no_mangle)]
 pub extern "C" fn start(file: usize) -> *const u8 {
     EXCHANGE.with_borrow(|exchange| exchange.files[file].bytes.as_ptr())
 }
 
-/// Bytes of a file.
+/// The length of a file, bytes.
 #[unsafe(no_mangle)]
 pub extern "C" fn length(file: usize) -> usize {
     EXCHANGE.with_borrow(|exchange| exchange.files[file].bytes.len())
 }
 
-/// What a file is: 0 an error, 1 the picture, 2 the pattern, 3 the model with its values.
+/// The kind of a file: 0 an error, 1 the picture, 2 the pattern, 3 the model with its values.
 #[unsafe(no_mangle)]
 pub extern "C" fn kind(file: usize) -> u32 {
     EXCHANGE.with_borrow(|exchange| exchange.files[file].kind as u32)

@@ -1,4 +1,5 @@
-//! What must be true of the pages: no link leads nowhere, nothing comes from another host, each link to the editor holds its document.
+//! Checks the pages: every link leads somewhere, nothing is loaded from another host, and each link to the editor holds
+//! its document.
 
 use std::collections::{BTreeSet, HashMap};
 use std::fs;
@@ -11,7 +12,7 @@ use crate::place;
 
 /// The folder of the editor, which .ci/web makes.
 const EDITOR: &str = "editor";
-/// The folder of the page that proves the same bytes, which .ci/web-bytes makes.
+/// The folder of the page that proves that the browser grows the same bytes; .ci/web-bytes makes it.
 const PROVE: &str = "prove";
 
 /// Checks all pages.
@@ -56,13 +57,13 @@ pub fn check(out: &Path, program: &Path, items: &[Item]) -> Result<(), Failure> 
     if wrong.is_empty() { Ok(()) } else { Err(wrong.into_iter().collect::<Vec<_>>().join("\n").into()) }
 }
 
-/// Where a link leads.
+/// The target of a link.
 enum Target {
-    /// To another host, or to what others build.
+    /// Another host, or pages that another step builds.
     Outside,
-    /// To the editor, with a document.
+    /// The editor, with a document.
     Editor(Option<String>),
-    /// To a file of the site, and a place in it.
+    /// A file of the site, and an anchor in it.
     Inside(PathBuf, Option<String>),
     Wrong(&'static str),
 }
@@ -83,7 +84,7 @@ fn target(page: &Path, attribute: &str, link: &str) -> Target {
     }
 }
 
-/// The texts of all pages below a folder of the site but the editor's.
+/// The texts of all pages below a folder of the site, except those of the editor.
 fn read_pages(out: &Path, folder: &Path, pages: &mut HashMap<PathBuf, String>) -> Result<(), Failure> {
     for entry in fs::read_dir(out.join(folder))? {
         let path = folder.join(entry?.file_name());
@@ -107,7 +108,7 @@ fn attributes(text: &str) -> Vec<(&'static str, String)> {
     tags.flat_map(|tag| ["href", "src"].map(|name| Some((name, value(tag, name)?)))).flatten().collect()
 }
 
-/// Whether dapple reads a link and makes the same of what it holds.
+/// Whether dapple reads a link and makes the same link again from its document.
 fn comes_back(program: &Path, link: &str) -> Result<bool, Failure> {
     let output = Command::new(program).args(["link", "--site", "", link]).output()?;
     Ok(output.status.success() && String::from_utf8_lossy(&output.stdout).trim() == link)

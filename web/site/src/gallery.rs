@@ -1,4 +1,4 @@
-//! The examples as pictures, each with a link that opens it in the editor.
+//! The gallery: the examples as pictures, each with a link that opens it in the editor.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -14,12 +14,12 @@ const FOLDERS: [(&str, &str); 3] = [
     ("examples/gallery", "After figures of papers"),
     ("examples/bodies", "On models"),
 ];
-/// Quality of the pictures: no blocks are seen in them.
+/// Quality of the pictures: at this quality no blocks are visible.
 const QUALITY: &str = "85";
 
 /// An example.
 pub struct Item {
-    /// Its file, from the root.
+    /// The path of its file, from the root.
     pub file: PathBuf,
     /// Its file name without ending.
     pub name: String,
@@ -92,7 +92,7 @@ fn item(root: &Path, out: &Path, program: &Path, file: PathBuf) -> Result<Item, 
     Ok(Item { file, name, title, size, link })
 }
 
-/// The fragment that dapple makes of a document; `None` where it is too large for a link.
+/// The fragment of the link to a document; `None` where the document is too large for a link.
 fn fragment(program: &Path, file: &Path) -> Result<Option<String>, Failure> {
     let output = Command::new(program).args(["link", "--site", ""]).arg(file).output()?;
     if output.status.success() {
@@ -106,7 +106,7 @@ fn fragment(program: &Path, file: &Path) -> Result<Option<String>, Failure> {
     }
 }
 
-/// A picture with its link; a document that is too large for one is a file to be opened in the editor.
+/// A picture with its link. A document that is too large for a link is offered as a file to open in the editor.
 fn figure(item: &Item) -> String {
     let Item { name, title, size: [width, height], link, .. } = item;
     let (to, note) = match link {

@@ -6,8 +6,8 @@
 //!  front.html ─▶ front ────────┘
 //! ```
 //!
-//! `dapple-site ROOT OUT PROGRAM`: the repository, the folder to write, an optimised dapple, which grows the pictures and makes the
-//! links.
+//! `dapple-site ROOT OUT PROGRAM`: the repository, the folder to write, an optimised build of dapple, which grows the
+//! pictures and makes the links.
 
 mod check;
 mod front;
@@ -21,7 +21,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// Why the site cannot be made, in words.
+/// The reason why the site cannot be made.
 type Failure = Box<dyn std::error::Error>;
 
 fn main() -> ExitCode {

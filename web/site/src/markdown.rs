@@ -14,7 +14,7 @@ pub struct Page {
     pub html: String,
 }
 
-/// Renders a text; `place` says where a link or a picture of it leads on the site.
+/// Renders a text. `place` returns the target on the site for a link or a picture in the text.
 pub fn render<E>(text: &str, mut place: impl FnMut(&str) -> Result<String, E>) -> Result<Page, E> {
     let options = Options::ENABLE_TABLES | Options::ENABLE_STRIKETHROUGH | Options::ENABLE_FOOTNOTES;
     let mut events: Vec<Event> = Parser::new_ext(text, options).collect();
@@ -31,7 +31,7 @@ pub fn render<E>(text: &str, mut place: impl FnMut(&str) -> Result<String, E>) -
     Ok(Page { title, summary, html })
 }
 
-/// A table is scrolled on a narrow screen, pictures load when they are near.
+/// Tables get a scroll bar on narrow screens, and pictures load only when they are close to being visible.
 fn scrolled(event: Event) -> Vec<Event> {
     match event {
         Event::Start(Tag::Table(_)) => vec![Event::Html("<div class=\"wide\">".into()), event],
@@ -56,14 +56,14 @@ fn anchor_headings(events: &mut [Event]) {
     }
 }
 
-/// As GitHub makes it of a heading: small letters, no punctuation, hyphens for spaces.
+/// The anchor that GitHub makes of a heading: small letters, no punctuation, hyphens for spaces.
 fn anchor(heading: &str) -> String {
     let kept = heading.to_lowercase();
     let kept = kept.chars().filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_'));
     kept.map(|c| if c == ' ' { '-' } else { c }).collect()
 }
 
-/// The text of the first element with such a tag.
+/// The text of the first element whose tag fulfils `is`.
 fn words(events: &[Event], is: impl Fn(&Tag) -> bool) -> String {
     let start = events.iter().position(|event| matches!(event, Event::Start(tag) if is(tag)));
     start.map(|start| text_from(events, start)).unwrap_or_default()

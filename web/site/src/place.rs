@@ -1,8 +1,8 @@
-//! Where a file of the repository lies on the site: guides become pages, all else is copied.
+//! The place of a file of the repository on the site: guides become pages, all other files are copied.
 
 use std::path::{Component, Path, PathBuf};
 
-/// Folders whose README is a page of its own, beside those of docs/.
+/// Folders whose README becomes a page, in addition to the files of docs/.
 pub const GUIDES: [&str; 3] = ["benches", "examples", "training"];
 
 /// The page of a guide, from the folder of the site.
@@ -18,7 +18,7 @@ pub fn page(file: &Path) -> Option<PathBuf> {
     }
 }
 
-/// The copy of a file that is no page.
+/// The copy of a file that is not a page.
 pub fn copy(file: &Path) -> PathBuf {
     Path::new("files").join(file)
 }
@@ -37,7 +37,7 @@ pub fn plain(path: &Path) -> Option<PathBuf> {
     Some(plain)
 }
 
-/// The way from a page to a file, both from the folder of the site.
+/// The relative path from a page to a file; both paths are from the folder of the site.
 pub fn way(from: &Path, to: &Path) -> String {
     let up = from.components().count() - 1;
     let down = to.components().map(|part| part.as_os_str().to_string_lossy().into_owned());

@@ -1,10 +1,10 @@
-//! What all pages have around their content.
+//! The parts that all pages have around their content.
 
 use std::path::Path;
 
 use crate::place::way;
 
-/// A whole page, which lies at `at`.
+/// A whole page, whose path is `at`.
 pub fn shell(at: &Path, title: &str, content: &str) -> String {
     let to = |file: &str| way(at, Path::new(file));
     let title =

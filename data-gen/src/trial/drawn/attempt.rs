@@ -24,42 +24,42 @@ use crate::trial::passes::PassArgs;
 pub struct Task {
     /// What kind it is.
     pub kind: Kind,
-    /// Its name.
+    /// The document.
     pub name: String,
     /// What is drawn.
     pub document: Document,
 }
 
-/// What came of a sketch.
+/// The result of a sketch.
 #[derive(Default)]
 pub struct Attempt {
     /// Its name.
     pub name: String,
-    /// What is wrong with the whole.
+    /// The failures of the whole sketch.
     pub failures: Vec<String>,
     /// CPU time of the growth that was measured, s.
     pub seconds: f64,
     /// What the passes over its layer did.
     pub passes: Vec<Entry>,
-    /// CPU time of the default spread ÷ that of none.
+    /// CPU time with the default spread ÷ that without spread.
     pub slower: Option<f64>,
     /// Its ellipses.
     pub spots: Vec<spots::Spot>,
     /// Its strokes.
     pub strokes: Vec<paths::Stroke>,
-    /// Which of the ellipses the report says are there, if it says so.
+    /// For each ellipse, whether the report says that it is there; `None` where the report does not list them.
     pub reported: Option<Vec<bool>>,
-    /// Grown shapes that are two in one, and all.
+    /// The number of grown shapes that are two in one, and the number of all shapes.
     pub double: [usize; 2],
-    /// Drawn beside grown; `None` where nothing grew or nothing is written.
+    /// The drawing beside the texture; `None` where nothing grew or nothing is written.
     pub drawing: Option<Drawing>,
 }
 
-/// Less than this share of ink is none, less than this share of ground is none.
+/// A share of ink, or of ground, below this counts as none.
 const LEAST: f64 = 0.002;
-/// A shape that fills less of its ellipse is two in one.
+/// A shape that fills less than this share of its ellipse is two in one.
 const DOUBLE: f64 = 0.93;
-/// Shapes that are two in one may have this share of the area.
+/// The largest allowed share of the area that is in shapes that are two in one.
 const DOUBLES: f64 = 0.05;
 
 impl Task {
@@ -148,7 +148,7 @@ impl Attempt {
     }
 }
 
-/// What is wrong with the pattern as a whole.
+/// The failure of the pattern as a whole, if there is one.
 fn whole(shapes: &Shapes) -> Option<String> {
     if shapes.share < LEAST {
         return Some(format!("blank: {:.2} % is ink", 100.0 * shapes.share));

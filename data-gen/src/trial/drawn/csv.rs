@@ -1,4 +1,4 @@
-//! The numbers of each drawn mark, a row each.
+//! Writes the numbers of each drawn mark as a row of a CSV file.
 
 use std::io::Write;
 use std::path::Path;
@@ -9,7 +9,7 @@ use super::attempt::Attempt;
 use super::paths::Stroke;
 use super::spots::Spot;
 
-/// The columns; those that do not apply are empty.
+/// The columns. Cells that do not apply are empty.
 const HEAD: &str = "sketch,mark,there,too_near,distance,area,aspect,angle,covered,direction,period,width";
 
 /// Writes the rows of all sketches.
@@ -33,7 +33,7 @@ fn spot(spot: &Spot) -> String {
     format!("{},{},{errors},,,,", u8::from(spot.there), u8::from(spot.too_near))
 }
 
-/// Its direction and period are means of the sizes of the errors along it.
+/// The cells of a stroke. Its direction and period are means of the absolute errors along it.
 fn stroke(stroke: &Stroke) -> String {
     let mean = |values: &[f64]| {
         (!values.is_empty()).then(|| values.iter().map(|x| x.abs()).sum::<f64>() / values.len() as f64)

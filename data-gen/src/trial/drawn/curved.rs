@@ -10,9 +10,9 @@ use super::geometry::{distance, turned};
 
 /// Width of a stroke, px.
 const WIDTH: [f64; 2] = [4.0, 16.0];
-/// Width ÷ period of strokes side by side that are thinner than their gaps,
+/// Range of width ÷ period of parallel strokes that are thinner than their gaps.
 pub const THIN: [f64; 2] = [0.36, 0.5];
-/// and that are wider.
+/// Range of width ÷ period of parallel strokes that are wider than their gaps.
 pub const WIDE: [f64; 2] = [0.52, 0.8];
 /// Smallest radius of curvature, periods.
 const BEND: f64 = 2.0;
@@ -22,7 +22,7 @@ const STEP: f64 = 4.0;
 /// What the strokes of a sketch form, by index.
 pub const SHAPES: [&str; 7] = ["loose arcs", "arcs", "S-curves", "spiral", "rings", "rays", "chevrons"];
 
-/// The strokes of sketch `index`, whose width ÷ period is in the range `duty` where they lie side by side.
+/// The strokes of sketch `index`; those that lie side by side have a width ÷ period in the range `duty`.
 pub fn draw(dice: &mut Dice, index: u64, duty: [f64; 2]) -> Vec<Path> {
     loop {
         let width = dice.log_between(WIDTH);
@@ -54,7 +54,7 @@ pub fn draw(dice: &mut Dice, index: u64, duty: [f64; 2]) -> Vec<Path> {
     }
 }
 
-/// Points of a curve given by a parameter 0..1, nearly [`STEP`] px apart.
+/// Points of a curve with a parameter 0..1, about [`STEP`] px apart.
 fn sampled(curve: impl Fn(f64) -> [f64; 2]) -> Vec<[f64; 2]> {
     const FINE: usize = 4000;
     let mut points = vec![curve(0.0)];
@@ -70,7 +70,7 @@ fn sampled(curve: impl Fn(f64) -> [f64; 2]) -> Vec<[f64; 2]> {
     points
 }
 
-/// Part of a circle about `center`, from an angle on, radians.
+/// A part of a circle about `center` from the angle `from` on, radians.
 fn arc(center: [f64; 2], radius: f64, from: f64, by: f64) -> Vec<[f64; 2]> {
     sampled(|t| {
         let [x, y] = turned([radius, 0.0], from + t * by);
@@ -89,7 +89,7 @@ fn loose_arcs(dice: &mut Dice, width: f64) -> Vec<Vec<[f64; 2]>> {
             let by = dice.between([0.8, 1.8]) * dice.between([0.7, 1.0]);
             let from = dice.between([0.0, TAU]);
             let center = turned([about, 0.0], TAU * k as f64 / count as f64 + dice.off(0.2));
-            // The middle of the arc, not the centre of its circle, is at that place.
+            // The given place is that of the middle of the arc, not of the centre of its circle.
             let [x, y] = turned([radius, 0.0], from + 0.5 * by);
             arc([center[0] - x, center[1] - y], radius, from, by)
         })
@@ -129,14 +129,14 @@ fn s_curves(dice: &mut Dice, period: f64) -> Vec<Vec<[f64; 2]>> {
         .collect()
 }
 
-/// An Archimedean spiral: each turn a period farther out.
+/// An Archimedean spiral, whose radius grows by a period with each turn.
 fn spiral(dice: &mut Dice, period: f64) -> Vec<Vec<[f64; 2]>> {
     let inner = BEND * period;
     let turns = dice.between([1.5, 3.5]).min((230.0 - inner) / period);
     vec![sampled(|t| turned([inner + t * turns * period, 0.0], TAU * t * turns))]
 }
 
-/// Concentric rings, each open by a small piece.
+/// Concentric rings, each with a small gap.
 fn rings(dice: &mut Dice, period: f64) -> Vec<Vec<[f64; 2]>> {
     let inner = period * dice.between([BEND, 3.0]);
     let most = ((230.0 - inner) / period) as usize + 1;
@@ -167,7 +167,7 @@ fn chevrons(dice: &mut Dice, period: f64) -> Vec<Vec<[f64; 2]>> {
     let half = dice.between([0.6, 1.0]);
     let limb = dice.between([60.0, 140.0]);
     let radius = BEND * period;
-    // The tip is an arc of 2·half radians; the limbs go on straight from its ends.
+    // The tip is an arc of 2·half radians, and the limbs continue it in straight lines.
     let bent = radius * half;
     let all = bent + limb;
     let at = |along: f64| -> [f64; 2] {
@@ -177,7 +177,7 @@ fn chevrons(dice: &mut Dice, period: f64) -> Vec<Vec<[f64; 2]>> {
         let rest = along - along.clamp(-bent, bent);
         [tip[0] + rest * way[0], tip[1] + rest * way[1]]
     };
-    // Straight up, one is a period ÷ cos(half) above the other where both are limbs.
+    // In the direction straight up, limbs of successive chevrons are a period ÷ cos(half) apart.
     let up = period / libm::cos(half);
     let count = dice.whole([1, 4]);
     let top = 0.5 * (count as f64 - 1.0);

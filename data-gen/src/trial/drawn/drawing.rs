@@ -1,4 +1,4 @@
-//! What was drawn beside what has grown, with the drawn outlines over it.
+//! A picture of the sketch beside the texture, with the drawn outlines over both.
 
 use dapple::document::{Document, Stroke};
 use dapple_engine::export::downscale;
@@ -11,14 +11,14 @@ use super::{paths, spots};
 
 /// Sides of one picture, px.
 pub const SIDE: usize = 256;
-/// Gap between the two, px.
+/// Gap between the two pictures, px.
 pub const GAP: usize = 4;
 
 const PAPER: [u8; 3] = [255, 255, 255];
 const INK: [u8; 3] = [50, 50, 55];
-/// Outlines of marks that are there,
+/// The colour of outlines of marks that are there.
 const THERE: [u8; 3] = [0, 130, 255];
-/// and of those that are not.
+/// The colour of outlines of marks that are missing.
 const MISSING: [u8; 3] = [235, 20, 30];
 
 /// The ellipses and the strokes of the lowest layer.
@@ -38,14 +38,14 @@ pub fn drawn(document: &Document) -> (Vec<Ellipse>, Vec<Curve>) {
     (ellipses, curves)
 }
 
-/// Drawn beside grown.
+/// A sketch beside its texture.
 pub struct Drawing {
     /// Red, green, blue of each px.
     pub rgb: Vec<u8>,
 }
 
 impl Drawing {
-    /// Of a sketch and its texture; what is not there according to what was found of its marks is red.
+    /// The picture of a sketch and its texture. Marks that are missing according to the comparison are red.
     pub fn new(document: &Document, grown: &Grown, spots: &[spots::Spot], strokes: &[paths::Stroke]) -> Self {
         let fine = [3 * SIDE; 2];
         let rgb = downscale(&Painting::sized(document, grown, fine).rgb(), fine, [SIDE; 2]);
@@ -54,7 +54,7 @@ impl Drawing {
         Self::compose(document, rgb, &spots, &strokes)
     }
 
-    /// Of a sketch that did not grow.
+    /// The picture of a sketch that did not grow.
     pub fn without_texture(document: &Document) -> Self {
         Self::compose(document, PAPER.repeat(SIDE * SIDE), &[], &[])
     }
@@ -116,7 +116,7 @@ impl Canvas {
         });
     }
 
-    /// Mixes the colour into each px by its share, in the box of `a` and `b` with a margin.
+    /// Mixes the colour into each px by its share, within the box around `a` and `b` with a margin.
     fn each(
         &mut self,
         a: [f64; 2],

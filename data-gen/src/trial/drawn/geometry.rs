@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use dapple_engine::marks::Ellipse;
 
-/// Points of an outline: the gap between two is exact to 1 % of their size.
+/// Points of an outline: with these, the gap between two outlines is exact to 1 % of their size.
 const POINTS: u32 = 72;
 
 /// `point` turned about the origin `by` radians.
@@ -18,7 +18,7 @@ pub fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     libm::hypot(a[0] - b[0], a[1] - b[1])
 }
 
-/// √(r₁r₂) of an ellipse.
+/// The mean radius √(r₁r₂) of an ellipse.
 pub fn radius(ellipse: &Ellipse) -> f64 {
     (ellipse.radii[0] * ellipse.radii[1]).sqrt()
 }
@@ -44,7 +44,7 @@ pub fn contains(ellipse: &Ellipse, point: [f64; 2]) -> bool {
     x * x + y * y <= 1.0
 }
 
-/// Whether the outlines of two ellipses are farther apart than a quarter of the mean of their diameters 2√(r₁r₂).
+/// Whether the gap between the outlines of two ellipses is more than a quarter of the mean of their diameters 2√(r₁r₂).
 pub fn well_apart(a: &Ellipse, b: &Ellipse) -> bool {
     let least = 0.25 * (radius(a) + radius(b));
     let reach = a.radii[0].max(a.radii[1]) + b.radii[0].max(b.radii[1]) + least;

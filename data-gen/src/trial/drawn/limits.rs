@@ -1,39 +1,39 @@
-//! What is measured of drawn marks, and the limits that must hold.
+//! The numbers that are measured on drawn marks, and their limits.
 
 use super::Kind;
 use super::attempt::Attempt;
 
-/// A number measured of marks, of places along strokes or of sketches.
+/// A number that is measured on marks, at places along strokes, or on sketches.
 pub struct Measure {
     /// Its name.
     pub name: &'static str,
     /// Its unit.
     pub unit: &'static str,
-    /// An error of 1 in that unit.
+    /// The factor from a value to this unit.
     pub factor: f64,
     /// Its values in one sketch.
     pub values: fn(&Attempt) -> Vec<f64>,
-    /// Limits of the median and the 95th percentile of its size, in that unit.
+    /// Limits of the median and the 95th percentile of its absolute value, in that unit.
     pub limits: fn(Kind) -> Option<[f64; 2]>,
 }
 
-/// Limits for kinds of sketches that are of ellipses; `None` of others.
+/// The limits for kinds of sketches with ellipses; `None` for other kinds.
 fn spots(kind: Kind, limits: [f64; 2]) -> Option<[f64; 2]> {
     (!kind.is_striped()).then_some(limits)
 }
 
-/// Limits for kinds of sketches that are of strokes; `None` of others.
+/// The limits for kinds of sketches with strokes; `None` for other kinds.
 fn strokes(kind: Kind, limits: [f64; 2]) -> Option<[f64; 2]> {
     kind.is_striped().then_some(limits)
 }
 
-/// The mean difference of the aspects, of the ellipses that are there.
+/// The mean difference of the aspects, over the ellipses that are there.
 fn mean_aspect(attempt: &Attempt) -> Option<f64> {
     let all: Vec<f64> = attempt.spots.iter().filter_map(|spot| spot.aspect).collect();
     (!all.is_empty()).then(|| all.iter().sum::<f64>() / all.len() as f64)
 }
 
-/// All of them.
+/// All measured numbers.
 pub const MEASURES: [Measure; 8] = [
     Measure {
         name: "distance",
@@ -93,9 +93,9 @@ pub const MEASURES: [Measure; 8] = [
     },
 ];
 
-/// Share of the marks that may be missing.
+/// The largest allowed share of missing marks.
 pub const MISSING: f64 = 0.01;
-/// CPU time with the default spread ÷ that with none, at most.
+/// The largest allowed CPU time with the default spread ÷ that without spread.
 pub const SLOWER: f64 = 4.0;
-/// CPU time of a sketch, s, at most.
+/// The largest allowed CPU time of a sketch, s.
 pub const SECONDS: f64 = 8.0;

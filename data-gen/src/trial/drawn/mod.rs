@@ -1,4 +1,4 @@
-//! Whether what is drawn is what grows, mark by mark, at the place where it was drawn.
+//! Checks, mark by mark, whether a drawn mark grows at the place where it was drawn.
 //!
 //! ```text
 //!  scattered (a, b, c) ─┐              ┌─▶ shapes ─▶ spots, paths ─▶ table, CSV
@@ -6,8 +6,8 @@
 //!                                      └─▶ sheets: drawn beside grown
 //! ```
 //!
-//! The sketches come from a fixed seed. What is measured is the pattern, by a ruler of its own ([`shapes`]); of the growth's
-//! report only the list of drawn marks is read, to check what it says of those that are missing.
+//! The sketches come from a fixed seed. The pattern is measured by separate code ([`shapes`]). Of the growth's report
+//! only the list of drawn marks is read, to check whether it names the missing ones correctly.
 
 mod attempt;
 mod csv;
@@ -42,16 +42,16 @@ const SEED: u64 = 1991;
 /// Sides of the canvas, px.
 const SIDE: f64 = 512.0;
 
-/// What to try.
+/// The options of this trial.
 #[derive(clap::Args)]
 pub struct Args {
     /// Kinds of sketches
     #[arg(long, value_enum, value_delimiter = ',', default_values = ["a", "b", "c", "d"])]
     kinds: Vec<Kind>,
-    /// Only the first of each kind
+    /// Only this number of sketches of each kind
     #[arg(long, value_name = "N")]
     take: Option<u64>,
-    /// The spread to grow with; with both, the default is measured and the other one timed
+    /// The spread to grow with; with both, the default is measured and the other one is only timed
     #[arg(long, value_enum, default_value = "both")]
     spread: Spread,
     /// Use the training sets in this folder instead of those built in
@@ -59,7 +59,7 @@ pub struct Args {
     training: Option<PathBuf>,
     #[command(flatten)]
     passes: PassArgs,
-    /// Threads to use, each growing documents of its own [default: all cores]
+    /// Threads to use; each grows its own documents [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
     /// Write documents, textures, reports and contact sheets into this folder
@@ -85,15 +85,15 @@ pub enum Kind {
     E,
 }
 
-/// Which spread documents are grown with.
+/// The spread with which documents are grown.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Spread {
     /// The spread of the drawn marks
     Default,
-    /// None
+    /// No spread
     #[value(name = "0")]
     Zero,
-    /// The default, and once more without
+    /// The default spread, and once more without spread
     Both,
 }
 
@@ -114,7 +114,7 @@ impl Kind {
         }
     }
 
-    /// What its sketches are.
+    /// A description of its sketches.
     fn title(self) -> &'static str {
         match self {
             Self::A => "scattered ellipses, kept apart",
@@ -125,7 +125,7 @@ impl Kind {
         }
     }
 
-    /// How many sketches there are.
+    /// The number of sketches.
     fn count(self) -> u64 {
         match self {
             Self::A => 200,
@@ -135,7 +135,7 @@ impl Kind {
         }
     }
 
-    /// The strokes of sketch `index`, which depend on no other sketch.
+    /// The strokes of sketch `index`, which do not depend on other sketches.
     fn strokes(self, index: u64) -> Vec<Stroke> {
         let mut dice = Dice::from_seed(SEED * 10_000 + self as u64 * 1_000 + index);
         let ellipses = |dice: &mut Dice, rules| {
@@ -262,7 +262,7 @@ mod tests {
                         2.0 * way(a, b).to_degrees(),
                     );
                     let length = 0.5 * (geometry::distance(a, b) + geometry::distance(b, c));
-                    // The last point may be nearer to the one before it than the others are.
+                    // The last point may be closer to the one before it than the other points are.
                     let radius = length / (0.5 * bend.abs()).to_radians().max(1e-9);
                     assert!(
                         radius > 1.6 * width / most,

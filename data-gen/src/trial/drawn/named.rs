@@ -1,8 +1,9 @@
-//! What the report of a growth says of each drawn mark.
+//! Reads what the report of a growth says about each drawn mark.
 
 use serde_json::Value;
 
-/// Whether the report says that a mark is there, by the mark's place in the document; `None` where it does not list them.
+/// For each mark, in the order of the document: whether the report says that it is there; `None` where the report does
+/// not list marks.
 ///
 /// The list is `"drawn": [{"mark": …, "there": …}]` of a layer; marks are counted from 0.
 pub fn there(report: &Value, layer: usize, marks: usize) -> Option<Vec<bool>> {

@@ -1,31 +1,31 @@
-//! How drawn strokes have grown: the direction, the period and the width of the pattern along them.
+//! Compares drawn strokes with the pattern: its direction, period and width along them.
 
 use dapple_engine::marks::{Path, turn};
 
 use super::geometry::distance;
 use super::shapes::Shapes;
 
-/// A stroke is there if this share of its length is inside of a stripe.
+/// A stroke counts as there if this share of its length is inside a stripe.
 pub const COVERED: f64 = 0.9;
-/// Strokes at most so many widths apart are side by side.
+/// Strokes count as side by side up to this distance, in widths.
 const SIDE_BY_SIDE: f64 = 6.0;
-/// Their directions differ by at most so many degrees,
+/// Strokes count as side by side up to this difference of direction, degrees.
 const PARALLEL: f64 = 20.0;
-/// over at least this share of the shorter one.
+/// Strokes count as side by side where they overlap over at least this share of the shorter one.
 const OVERLAP: f64 = 0.5;
 /// Radius of the window of the structure tensor, periods.
 const WINDOW: f64 = 0.35;
 
-/// What became of a drawn stroke.
+/// The comparison of a drawn stroke with the pattern.
 #[derive(Clone, Debug, Default)]
 pub struct Stroke {
-    /// Share of its length that is inside of a stripe.
+    /// The share of its length that is inside a stripe.
     pub covered: f64,
-    /// Differences of the pattern's direction and the stroke's, degrees, at points along it.
+    /// Differences between the direction of the pattern and that of the stroke, degrees, at points along the stroke.
     pub directions: Vec<f64>,
     /// Mean width of the stripe along it ÷ drawn − 1.
     pub width: Option<f64>,
-    /// Distance from its stripe to the next ÷ drawn − 1, of each stroke side by side with it.
+    /// For each stroke side by side with it: the distance from its stripe to the next ÷ drawn distance − 1.
     pub periods: Vec<f64>,
 }
 
@@ -43,7 +43,7 @@ impl Place {
     }
 }
 
-/// What became of each of the `drawn` strokes.
+/// The comparison of each of the `drawn` strokes.
 pub fn compare(drawn: &[Path], shapes: &Shapes) -> Vec<Stroke> {
     let places: Vec<Vec<Place>> = drawn.iter().map(places).collect();
     (0..drawn.len()).map(|stroke| one(stroke, drawn, &places, shapes)).collect()
@@ -54,7 +54,7 @@ fn one(stroke: usize, drawn: &[Path], places: &[Vec<Place>], shapes: &Shapes) ->
     let others = neighbours(stroke, drawn, places);
     let nearest = others.iter().flat_map(|other| &other.apart).map(|(_, apart)| apart.abs());
     let period = nearest.fold(2.0 * width, f64::min);
-    // Near the border the pattern is seen from one side only.
+    // Near the border, only one side of the pattern is there to compare.
     let inner: Vec<Place> =
         places[stroke].iter().copied().filter(|place| shapes.holds(place.at, 0.5 * period)).collect();
     let on: Vec<&Place> = inner.iter().filter(|place| shapes.value(place.at) >= 0.5).collect();
@@ -72,7 +72,7 @@ fn mean(values: &[f64]) -> Option<f64> {
     (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
 }
 
-/// Places along a stroke, half a width apart, without its ends.
+/// Places along a stroke, half a width apart; the ends are left out.
 fn places(path: &Path) -> Vec<Place> {
     let step = (0.5 * path.width).max(2.0);
     let mut gone = vec![0.0];
@@ -96,14 +96,15 @@ fn places(path: &Path) -> Vec<Place> {
     (0..count).map(place).collect()
 }
 
-/// A stroke side by side with another: at places of that one, by index, the distance to it; negative to the right.
+/// A stroke side by side with another one: the index of places of that one, and the distance there; negative to the
+/// right.
 struct Neighbour {
     apart: Vec<(usize, f64)>,
 }
 
-/// Strokes side by side with `stroke`, and none between.
+/// The strokes side by side with `stroke` that have no other stroke in between.
 fn neighbours(stroke: usize, drawn: &[Path], places: &[Vec<Place>]) -> Vec<Neighbour> {
-    // Of each place the nearest other strokes to the left and to the right.
+    // For each place, the nearest other strokes to the left and to the right.
     let reach = SIDE_BY_SIDE * drawn[stroke].width;
     let mut found: Vec<Neighbour> = drawn.iter().map(|_| Neighbour { apart: Vec::new() }).collect();
     for (k, place) in places[stroke].iter().enumerate() {
@@ -123,7 +124,7 @@ fn neighbours(stroke: usize, drawn: &[Path], places: &[Vec<Place>]) -> Vec<Neigh
     found.into_iter().enumerate().filter(enough).map(|(_, neighbour)| neighbour).collect()
 }
 
-/// Where the normal of a place crosses a parallel stroke, at most `reach` px away on that side.
+/// The point where the normal of a place crosses a parallel stroke, at most `reach` px away on that side.
 fn crossed(place: &Place, other: &[Place], reach: f64, left: bool) -> Option<f64> {
     let crossing = |pair: &[Place]| {
         let [(a, before), (b, after)] = [pair[0], pair[1]].map(|other| {
@@ -145,7 +146,8 @@ fn angle(along: [f64; 2]) -> f64 {
 }
 
 impl Neighbour {
-    /// The mean distance from the stroke's stripe to the next on the side of the neighbour ÷ the drawn one − 1.
+    /// The mean distance from the stroke's stripe to the next one, on the side of the neighbour, ÷ the drawn distance −
+    /// 1.
     fn period(&self, places: &[Place], shapes: &Shapes) -> Option<f64> {
         let ratio = |(k, apart): &(usize, f64)| {
             let (place, side) = (&places[*k], apart.signum());
@@ -170,8 +172,8 @@ impl Neighbour {
     }
 }
 
-/// The stripe across a place: where it begins and ends on the normal, px, if it holds the point `from` px to the left and is
-/// at most `most` px wide on either side of it.
+/// The stripe across a place: its beginning and end on the normal, px, if it contains the point `from` px to the left
+/// and is at most `most` px wide on either side of that point.
 fn stripe(place: &Place, from: f64, most: f64, shapes: &Shapes) -> Option<[f64; 2]> {
     const STEP: f64 = 0.25;
     let value = |by: f64| shapes.value(place.beside(by)) - 0.5;
@@ -192,8 +194,8 @@ fn stripe(place: &Place, from: f64, most: f64, shapes: &Shapes) -> Option<[f64; 
     (value(from) >= 0.0).then(|| Some([edge(-1.0)?, edge(1.0)?]))?
 }
 
-/// The pattern's direction at a place less the stroke's, degrees: of the structure tensor in a Gaussian window of `radius` px;
-/// 90 where the pattern has no direction.
+/// The direction of the pattern at a place minus that of the stroke, degrees, from the structure tensor in a Gaussian
+/// window of `radius` px; 90 where the pattern has no direction.
 fn deviation(place: &Place, radius: f64, shapes: &Shapes) -> f64 {
     let step = (0.25 * radius).max(0.5);
     let reach = (2.0 * radius / step).ceil() as i32;

@@ -12,9 +12,9 @@ use super::geometry::{outline, turned, well_apart};
 const AREA: [f64; 2] = [60.0, 1_500.0];
 /// Marks of a sketch.
 const MARKS: [usize; 2] = [8, 30];
-/// Attempts to find a place for one mark.
+/// Attempts to find a place for a mark.
 const PLACES: usize = 400;
-/// A hand's errors: of radii a tenth, of directions degrees.
+/// Errors like those of drawing by hand: of radii a tenth, of directions in degrees.
 const RADIUS: f64 = 0.1;
 const ANGLE: f64 = 8.0;
 
@@ -25,7 +25,7 @@ pub struct Rules {
     pub aspect: [f64; 2],
     /// Whether outlines are kept apart, and on the canvas.
     pub apart: bool,
-    /// Whether the marks of every third sketch are arranged.
+    /// Whether the marks of every third sketch are arranged in a figure.
     pub arranged: bool,
 }
 
@@ -39,33 +39,33 @@ struct Hand {
 }
 
 enum Sizes {
-    /// Much the same.
+    /// All sizes are similar.
     Alike,
     /// The area grows by this factor from one side to the other, along this direction.
     Graded(f64, f64),
     /// One in three is larger by this factor.
     Two(f64),
-    /// Between the smallest and the largest allowed.
+    /// Any size between the smallest and the largest allowed.
     Any,
 }
 
 enum Direction {
-    /// Degrees, the same everywhere.
+    /// One direction for all marks, degrees.
     Common(f64),
-    /// So many degrees from the direction to this point.
+    /// A constant angle, degrees, to the direction towards this point.
     About([f64; 2], f64),
-    /// Each its own.
+    /// Each mark has its own direction.
     Any,
 }
 
-/// A place to draw at; `None` = anywhere.
+/// A place to draw a mark; `None` = anywhere.
 type Place = Option<[f64; 2]>;
 
 /// The marks of sketch `index`.
 pub fn draw(dice: &mut Dice, index: u64, rules: Rules) -> Vec<Ellipse> {
     loop {
         let hand = hand(dice, rules.aspect);
-        // Every fourth hand also draws marks that are cut by the border.
+        // In every fourth sketch, some marks are cut by the border.
         let cut = dice.chance(0.25);
         let places = if rules.arranged && index % 3 == 2 {
             arranged(dice, &hand, index / 3)
@@ -152,7 +152,7 @@ impl Hand {
     }
 }
 
-/// Places in rows, a ring, clusters or an array, with a hand's errors.
+/// Places in rows, a ring, clusters or an array, with errors like those of drawing by hand.
 fn arranged(dice: &mut Dice, hand: &Hand, which: u64) -> Vec<Place> {
     let step = (hand.reach() * dice.between([1.5, 2.5])).max(30.0);
     let middle = [0, 1].map(|_| SIDE * dice.between([0.42, 0.58]));

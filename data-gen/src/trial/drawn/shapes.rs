@@ -1,14 +1,14 @@
 //! The connected shapes of a grown pattern, counted px by px.
 //!
-//! This ruler shares no code with the one that corrects and reports a growth: the pattern is resampled to
-//! [`FINE`] × [`FINE`] points a px, and each point that is not below 0.5 belongs to a shape.
+//! This measurement shares no code with the one that corrects and reports a growth. The pattern is resampled to
+//! [`FINE`] × [`FINE`] points per px, and each point with a value of at least 0.5 belongs to a shape.
 
 use dapple_engine::grid::Field;
 use dapple_engine::marks::Ellipse;
 
-/// Points a px, along each side: an area of 60 px² is exact to 0.5 %.
+/// Points per px, along each side: with these, an area of 60 px² is exact to 0.5 %.
 pub const FINE: usize = 3;
-/// Smaller shapes, px², are no marks.
+/// Shapes with a smaller area, px², are not marks.
 const SPECK: f64 = 4.0;
 
 /// A connected shape.
@@ -16,7 +16,7 @@ const SPECK: f64 = 4.0;
 pub struct Shape {
     /// The ellipse with its area, centre and second moments.
     pub ellipse: Ellipse,
-    /// Its area ÷ that of the ellipse with its second moments alone: 1 for ellipses, less for two grown together.
+    /// Its area ÷ that of the ellipse with the same second moments: 1 for ellipses, less for two that grew together.
     pub fill: f64,
     /// Whether it touches the border of the canvas.
     pub cut: bool,
@@ -26,7 +26,7 @@ pub struct Shape {
 pub struct Shapes {
     /// The shapes.
     pub all: Vec<Shape>,
-    /// Share of the canvas that is inside.
+    /// The share of the canvas that is inside shapes.
     pub share: f64,
     pattern: Field,
     /// The shape of each point, by its place in `all`.
@@ -43,7 +43,7 @@ struct Sums {
 }
 
 impl Shapes {
-    /// The shapes of `pattern`, which has [`FINE`] points a px along each side.
+    /// The shapes of `pattern`, which has [`FINE`] points per px along each side.
     pub fn find(pattern: Field) -> Self {
         let [width, height] = [pattern.width, pattern.height];
         let mut found = vec![false; pattern.values.len()];
@@ -104,7 +104,7 @@ impl Shapes {
             + y * ((1.0 - x) * read(left, bottom) + x * read(right, bottom))
     }
 
-    /// Whether a point, px, is on the canvas, this far from its border.
+    /// Whether a point, px, is on the canvas and at least this far from its border.
     pub fn holds(&self, point: [f64; 2], margin: f64) -> bool {
         let extent = self.pattern.extent();
         (0..2).all(|axis| (margin..=extent[axis] - margin).contains(&point[axis]))
@@ -145,7 +145,7 @@ pub mod tests {
     use super::*;
     use dapple_engine::grid::Edges;
 
-    /// A pattern that is 1 inside of these ellipses, on a canvas of 60 × 40 px.
+    /// A pattern that is 1 inside these ellipses, on a canvas of 60 × 40 px.
     pub fn of(marks: &[Ellipse]) -> Shapes {
         let cell = 1.0 / FINE as f64;
         let inside = |point| marks.iter().any(|mark| super::super::geometry::contains(mark, point));

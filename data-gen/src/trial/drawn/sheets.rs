@@ -1,4 +1,4 @@
-//! Contact sheets: what was drawn beside what has grown.
+//! Contact sheets: each sketch beside its texture.
 
 use std::path::Path;
 

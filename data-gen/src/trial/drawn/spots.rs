@@ -1,19 +1,19 @@
-//! How drawn ellipses have grown.
+//! Compares drawn ellipses with the grown shapes.
 
 use dapple_engine::marks::{Ellipse, turn};
 
 use super::geometry::{distance, radius, visible, well_apart};
 use super::shapes::{Shape, Shapes};
 
-/// A mark is at its place within so many radii √(r₁r₂).
+/// A mark counts as being at its place within this distance, radii √(r₁r₂).
 const PLACE: f64 = 0.5;
-/// Rounder marks have no direction.
+/// The aspect above which marks are too round to have a direction.
 const ROUND: f64 = 0.8;
 
-/// What became of a drawn ellipse.
+/// The comparison of a drawn ellipse with the grown shapes.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Spot {
-    /// Exactly one grown shape is centred at its place, and that is no other mark's.
+    /// Whether exactly one grown shape is centred at its place, and this shape belongs to no other mark.
     pub there: bool,
     /// Distance of the centres, radii.
     pub distance: Option<f64>,
@@ -23,11 +23,11 @@ pub struct Spot {
     pub aspect: Option<f64>,
     /// Difference of the directions, degrees.
     pub angle: Option<f64>,
-    /// Of one that is not there: whether one that is there is nearer than a quarter of their mean diameter.
+    /// For a missing ellipse: whether one that is there is nearer than a quarter of their mean diameter.
     pub too_near: bool,
 }
 
-/// What became of each of the `drawn` ellipses.
+/// The comparison of each of the `drawn` ellipses.
 pub fn compare(drawn: &[Ellipse], shapes: &Shapes, size: [f64; 2]) -> Vec<Spot> {
     let seen: Vec<(f64, [f64; 2])> = drawn.iter().map(|mark| visible(mark, size)).collect();
     let off =
@@ -50,8 +50,8 @@ pub fn compare(drawn: &[Ellipse], shapes: &Shapes, size: [f64; 2]) -> Vec<Spot> 
     spots
 }
 
-/// For each mark the only shape at its place, if it is nearer to no other mark; `off` is the distance of a mark and a shape
-/// in radii of the mark.
+/// For each mark, the only shape at its place, if this shape is nearer to no other mark. `off` is the distance between
+/// a mark and a shape, in radii of the mark.
 fn matches(marks: usize, shapes: &[Shape], off: impl Fn(usize, &Shape) -> f64) -> Vec<Option<usize>> {
     let only = |mark: usize| {
         let mut at = (0..shapes.len()).filter(|shape| off(mark, &shapes[*shape]) <= PLACE);
@@ -73,7 +73,7 @@ fn matches(marks: usize, shapes: &[Shape], off: impl Fn(usize, &Shape) -> f64) -
 }
 
 fn errors(drawn: &Ellipse, share: f64, shape: &Shape, distance: f64) -> Spot {
-    // What the border cuts off is unknown: neither the shape nor the direction of the rest can be compared.
+    // The part beyond the border is unknown, so neither shape nor direction can be compared.
     let whole = share == 1.0 && !shape.cut;
     let [asked, got] = [drawn.aspect(), shape.ellipse.aspect()];
     Spot {
@@ -117,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_away_moved_or_twice_there_is_not_there() {
+    fn a_mark_that_is_missing_moved_or_there_twice_does_not_count_as_there() {
         let drawn = [mark(15.0, 20.0)];
         let there = |grown: &[Ellipse]| compare(&drawn, &of(grown), SIZE)[0].there;
         assert!(!there(&[]) && !there(&[mark(18.0, 20.0)]) && there(&[mark(16.5, 20.0)]));
@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn one_grown_mark_is_there_for_the_nearer_of_two_drawn_ones() {
+    fn one_grown_mark_counts_for_the_nearer_of_two_drawn_ones() {
         let drawn = [mark(15.0, 20.0), mark(16.5, 20.0)];
         let spots = compare(&drawn, &of(&[mark(16.2, 20.0)]), SIZE);
         assert_eq!(

@@ -1,4 +1,4 @@
-//! The printed table: shares, errors against their limits, times, and the worst sketches by name.
+//! The printed table: shares, errors with their limits, times, and the names of the worst sketches.
 
 use std::fmt::Write;
 
@@ -8,7 +8,7 @@ use super::attempt::Attempt;
 use super::limits::{MEASURES, MISSING, Measure, SECONDS, SLOWER};
 use super::paths::COVERED;
 
-/// Sketches named as the worst of each measure.
+/// The number of worst sketches that are named for each measure.
 const WORST: usize = 10;
 
 /// The table, and whether all limits hold and nothing failed.
@@ -35,7 +35,7 @@ fn mark(good: bool) -> &'static str {
     if good { "ok" } else { "NOT" }
 }
 
-/// A line of counts: what, how many of how many, and the limit where there is one.
+/// A line of counts: a label, how many of how many, and the limit where there is one.
 fn share(text: &mut String, what: &str, [part, all]: [usize; 2], most: Option<f64>) -> bool {
     let share = part as f64 / all.max(1) as f64;
     let good = most.is_none_or(|most| share <= most);
@@ -52,8 +52,12 @@ fn spots(text: &mut String, kind: Kind, own: &[&Attempt]) -> bool {
     let missing = all.iter().filter(|spot| !spot.there).count();
     let mut good = share(text, "not there", [missing, all.len()], (kind != Kind::B).then_some(MISSING));
     let free = all.iter().filter(|spot| !spot.there && !spot.too_near).count();
-    good &=
-        share(text, "not there though no other is near", [free, missing], (kind == Kind::B).then_some(0.0));
+    good &= share(
+        text,
+        "not there, with no other mark close to it",
+        [free, missing],
+        (kind == Kind::B).then_some(0.0),
+    );
     let listed: Vec<_> =
         own.iter().filter_map(|attempt| Some((attempt, attempt.reported.as_ref()?))).collect();
     if listed.is_empty() {
@@ -63,12 +67,17 @@ fn spots(text: &mut String, kind: Kind, own: &[&Attempt]) -> bool {
             attempt.spots.iter().zip(*there).filter(|(spot, there)| spot.there != **there).count()
         });
         let marks = listed.iter().map(|(_, there)| there.len()).sum();
-        good &= share(text, "there or not, other than the report says", [differ.sum(), marks], Some(0.0));
+        good &= share(
+            text,
+            "the report is wrong about whether the mark is there",
+            [differ.sum(), marks],
+            Some(0.0),
+        );
     }
     let lost = |attempt: &Attempt| attempt.spots.iter().filter(|spot| !spot.there).count() as f64;
     worst(text, own, "marks not there", lost);
     let double = own.iter().fold([0, 0], |sum, attempt| [0, 1].map(|k| sum[k] + attempt.double[k]));
-    share(text, "grown marks of two", double, None);
+    share(text, "grown shapes that are two marks in one", double, None);
     good
 }
 

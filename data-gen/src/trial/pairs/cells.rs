@@ -1,4 +1,4 @@
-//! Cells: one ellipse and the width of the lines.
+//! Trial of cells: sketches of one ellipse and a width of the lines.
 
 use dapple::document::{AreaKind, Edges, GapChoice, LayerOptions, Stroke, SystemChoice};
 use dapple_engine::grid::Field;
@@ -14,16 +14,16 @@ use crate::trial::dice::Dice;
 const AREA: [f64; 2] = [200.0, 4000.0];
 /// Width of the lines, px.
 const GAP: [f64; 2] = [3.0, 12.0];
-/// Distance of cells ÷ gap: of others it is told that they do not grow.
+/// Range of distance of cells ÷ gap. Outside it, a note says that the cells do not grow as drawn.
 const DISTANCE: [f64; 2] = [3.5, 11.0];
 /// Minor ÷ major radius.
 const ASPECT: [f64; 2] = [0.5, 1.0];
-/// Cells are as elongated as this where they are to be rounder: they have corners.
+/// Cells have corners, so that they are never rounder than this aspect.
 const ROUNDEST: f64 = 0.84;
-/// Cells on the canvas, about.
+/// The number of cells on the canvas, about.
 const CELLS: f64 = 120.0;
 
-/// What is compared: bounds are what was set out for.
+/// The figures that are compared; the bounds are the goals that were set.
 pub const FIGURES: &[Figure] = &[
     Figure { name: "area %", factor: 100.0, bounds: Some([3.0, 8.0]) },
     Figure { name: "gap %", factor: 100.0, bounds: Some([4.0, 10.0]) },
@@ -44,7 +44,7 @@ pub fn sketch(dice: &mut Dice) -> Sketch {
     }
 }
 
-/// One ellipse of this area (px²) and aspect in any direction, and lines `gap` px wide.
+/// A sketch of one ellipse with this area (px²) and aspect in any direction, and lines `gap` px wide.
 pub fn of_area(dice: &mut Dice, area: f64, gap: f64, aspect: f64) -> Sketch {
     let side = (CELLS.sqrt() * (area.sqrt() + 0.93 * gap)).round();
     let major = (area / std::f64::consts::PI / aspect).sqrt();
@@ -59,7 +59,7 @@ pub fn of_area(dice: &mut Dice, area: f64, gap: f64, aspect: f64) -> Sketch {
     }
 }
 
-/// Areas and shapes of whole cells, the mean width of what is between them.
+/// Areas and shapes of whole cells, and the mean width of the lines between them.
 pub fn measure(sketch: &Sketch, layer: &GrownLayer, pattern: &Field) -> Errors {
     let [area, aspect, gap] = sketch.cells;
     let spots: Vec<_> = measure::spots(pattern, 0.5).into_iter().filter(|spot| spot.whole).collect();

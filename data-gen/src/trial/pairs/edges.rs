@@ -1,17 +1,17 @@
-//! In which directions the edges of a picture run.
+//! The directions of the edges in a picture.
 
 use dapple_engine::grid::Field;
 use dapple_engine::marks::turn;
 
-/// Edges within this of a direction have it, degrees.
+/// An edge counts for a direction within this angle, degrees.
 const WITHIN: f64 = 15.0;
 
-/// The share of the edges, weighted by their gradient, that run within 15° of one of these `angles`.
+/// The share of the edges, weighted by their gradient, that are within 15° of one of these `angles`.
 pub fn along(pattern: &Field, angles: &[f64]) -> f64 {
     shares(pattern, angles).iter().sum()
 }
 
-/// The share of the edges that run within 15° of each of these `angles` and are nearest to it.
+/// For each of these `angles`, the share of the edges that are within 15° of it, and closer to it than to the others.
 pub fn shares(pattern: &Field, angles: &[f64]) -> Vec<f64> {
     let (mut own, mut all) = (vec![0.0; angles.len()], 0.0);
     let [nx, ny] = [pattern.width, pattern.height];
@@ -21,7 +21,7 @@ pub fn shares(pattern: &Field, angles: &[f64]) -> Vec<f64> {
                 [(x as isize + dx, nx), (y as isize + dy, ny)].map(|(i, n)| pattern.edges.index(i, n));
             f64::from(pattern.values[y * nx + x])
         };
-        // Scharr's derivative, whose directions are right within .1° at any angle.
+        // Scharr's derivative, whose directions are accurate to 0.1° at any angle.
         let gx =
             3.0 * (at(1, -1) - at(-1, -1)) + 10.0 * (at(1, 0) - at(-1, 0)) + 3.0 * (at(1, 1) - at(-1, 1));
         let gy =

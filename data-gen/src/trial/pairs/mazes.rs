@@ -1,4 +1,4 @@
-//! Mazes: lines of two or three directions beside each other.
+//! Trial of mazes: areas with lines of two or three directions beside each other.
 
 use dapple::document::{Edges, LayerOptions, PairKind, SystemChoice};
 use dapple_engine::grid::Field;
@@ -17,18 +17,18 @@ const SIDE: f64 = 400.0;
 const WIDTH: [f64; 2] = [4.0, 10.0];
 /// Width ÷ distance.
 const DUTY: [f64; 2] = [0.4, 0.6];
-/// Length of the lines, in distances: patches are of at least 2.5 wavelengths.
+/// Length of the lines, in distances between lines: areas of one direction have at least 2.5 wavelengths.
 const LONG: [f64; 2] = [2.8, 6.0];
-/// A direction with less than this share of what is even has died.
+/// A direction that has less than this share of an equal part of the edges counts as missing.
 const DIED: f64 = 0.3;
 
-/// What is compared: bounds are what was set out for.
+/// The figures that are compared; the bounds are the goals that were set.
 pub const FIGURES: &[Figure] = &[
     Figure { name: "width %", factor: 100.0, bounds: Some([4.0, 10.0]) },
     Figure { name: "edges > 15° off %", factor: 100.0, bounds: Some([15.0, 15.0]) },
 ];
 
-/// Every third sketch has three directions.
+/// A random sketch; every third one has three directions.
 pub fn sketch(dice: &mut Dice) -> Sketch {
     let first = dice.between([0.0, 180.0]);
     let angles = if dice.chance(1.0 / 3.0) {
@@ -57,7 +57,7 @@ pub fn sketch(dice: &mut Dice) -> Sketch {
     }
 }
 
-/// Width from area and contour, directions from the edges of the picture.
+/// The width from area and contour, the directions from the edges of the picture.
 pub fn measure(sketch: &Sketch, _: &GrownLayer, pattern: &Field) -> Errors {
     let found = stripes(pattern, 0.5).ok_or("no lines")?;
     let angles: Vec<f64> = sketch.lines.iter().map(|lines| lines.angle).collect();

@@ -1,11 +1,12 @@
-//! How well weaves, mazes, cells and stripes with tips match what was drawn: random sketches through whole documents.
+//! Measures how well weaves, mazes, cells and stripes with tips match what was drawn, with random sketches in complete
+//! documents.
 //!
 //! ```text
 //!  kind ─▶ sketch (seed, index) ─▶ grown ─▶ the pattern picture ─▶ rulers ─▶ median, 95 %, largest against bounds
 //! ```
 //!
-//! What is measured is the picture that `dapple grow --pattern` writes, in its 16 bits. Of the growth itself only its notes are
-//! read, and of cells which of those that were laid have a cell of their own.
+//! The picture that `dapple grow --pattern` writes, with its 16 bits, is measured. From the growth itself only its
+//! notes are read, and for cells which of the planned ones have grown separately.
 
 mod cells;
 mod edges;
@@ -30,16 +31,16 @@ use sketch::Sketch;
 /// The seed of all sketches: the year of the paper of Witkin and Kass.
 const SEED: u64 = 1991;
 
-/// What to try, and where to write what came out.
+/// The options of the trial.
 #[derive(clap::Args)]
 pub struct Args {
-    /// Random sketches [default: those that the documents tell of, 40 and 20 of mazes]
+    /// Random sketches [default: the number in the documentation, 40; for mazes 20]
     #[arg(long, value_name = "N")]
     sketches: Option<u64>,
-    /// The first of them
+    /// The index of the first random sketch
     #[arg(long, value_name = "N", default_value_t = 0)]
     from: u64,
-    /// Threads to use, each growing documents of its own [default: all cores]
+    /// Threads to use; each grows its own documents [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
     /// Grow the same lines as Meinhardt's stripes instead, to compare both
@@ -53,11 +54,11 @@ pub struct Args {
     out: Option<PathBuf>,
 }
 
-/// A number that is compared.
+/// A figure that is compared.
 pub(super) struct Figure {
-    /// What it is, with the unit in which errors are printed.
+    /// Its name, with the unit in which errors are printed.
     pub name: &'static str,
-    /// An error of 1 in that unit.
+    /// The factor from an error to this unit.
     pub factor: f64,
     /// Bounds of the median and 95th percentile of |error|, in that unit.
     pub bounds: Option<[f64; 2]>,
@@ -66,17 +67,17 @@ pub(super) struct Figure {
 /// The errors of each figure; the reason where nothing can be measured.
 pub(super) type Errors = Result<Vec<Vec<f64>>, String>;
 
-/// What is tried.
+/// A kind of trial.
 pub(super) struct Kind {
     /// Its name.
     pub name: &'static str,
-    /// Sketches by default.
+    /// The default number of sketches.
     pub count: u64,
-    /// What is compared.
+    /// The figures that are compared.
     pub figures: &'static [Figure],
-    /// A random sketch.
+    /// Makes a random sketch.
     sketch: fn(&mut Dice) -> Sketch,
-    /// The errors of a grown layer, by its picture.
+    /// Measures the errors of a grown layer on its picture.
     measure: fn(&Sketch, &GrownLayer, &Field) -> Errors,
 }
 
@@ -113,7 +114,7 @@ pub(super) static PAIR_STRIPES: Kind = Kind {
 pub(super) struct Outcome {
     /// Its kind with its number.
     pub name: String,
-    /// What was drawn, in words.
+    /// A description of the sketch.
     pub drawn: String,
     /// Time of its growth on one thread, s.
     pub seconds: f64,

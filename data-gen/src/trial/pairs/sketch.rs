@@ -8,16 +8,16 @@ use dapple_engine::synth::GrownLayer;
 /// Lines of one direction that lie side by side.
 #[derive(Clone, Copy, Debug)]
 pub struct Lines {
-    /// Degrees in [0, 180).
+    /// Direction, degrees in [0, 180).
     pub angle: f64,
     /// Width of the lines, px.
     pub width: f64,
-    /// From one to the next, px.
+    /// Distance from one line to the next, px.
     pub period: f64,
 }
 
 impl Lines {
-    /// `count` lines side by side, `long` px long, about `center`.
+    /// `count` lines side by side, each `long` px long, about `center`.
     pub fn strokes(self, [x, y]: [f64; 2], count: usize, long: f64) -> Vec<Stroke> {
         let (s, c) = libm::sincos(self.angle.to_radians());
         let line = |k: usize| {
@@ -36,15 +36,15 @@ pub struct Sketch {
     pub side: f64,
     /// Its edges.
     pub edges: Edges,
-    /// What grows.
+    /// The system that grows it.
     pub system: SystemChoice,
-    /// What is drawn.
+    /// The strokes.
     pub strokes: Vec<Stroke>,
     /// Options of the layer.
     pub options: LayerOptions,
-    /// Lines that are wanted.
+    /// The lines that should grow.
     pub lines: Vec<Lines>,
-    /// Of cells: area (px²), aspect, gap (px).
+    /// For cells: area (px²), aspect, gap (px).
     pub cells: [f64; 3],
 }
 
@@ -69,7 +69,7 @@ impl fmt::Display for Sketch {
     }
 }
 
-/// What the growth says of the layer as a whole.
+/// The notes of the growth on the layer as a whole.
 pub fn notes(layer: &GrownLayer) -> Vec<String> {
     layer.pairs().map(|grown| grown.plan.notes.clone()).unwrap_or_default()
 }

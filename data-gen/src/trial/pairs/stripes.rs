@@ -1,4 +1,4 @@
-//! Stripes with tips: lines of one direction.
+//! Trial of stripes with tips: sketches of lines of one direction.
 
 use dapple::document::{Edges, LayerOptions, PairKind, SystemChoice};
 use dapple_engine::grid::Field;
@@ -17,7 +17,7 @@ const WIDTH: [f64; 2] = [4.0, 12.0];
 /// Width ÷ period.
 const DUTY: [f64; 2] = [0.2, 0.7];
 
-/// What is compared: bounds are what was set out for.
+/// The figures that are compared; the bounds are the goals that were set.
 pub const FIGURES: &[Figure] = &[
     Figure { name: "width %", factor: 100.0, bounds: Some([3.0, 7.0]) },
     Figure { name: "period %", factor: 100.0, bounds: Some([2.0, 6.0]) },
@@ -39,7 +39,7 @@ pub fn sketch(dice: &mut Dice) -> Sketch {
     }
 }
 
-/// From area, contour and structure tensor.
+/// Measured from area, contour and structure tensor.
 pub fn measure(sketch: &Sketch, _: &GrownLayer, pattern: &Field) -> Errors {
     let found = measure::stripes(pattern, 0.5).ok_or("no stripes")?;
     let asked = sketch.lines[0];

@@ -5,7 +5,8 @@ use std::fmt::Write;
 use super::{Figure, Kind, Outcome};
 use crate::trial::statistics::Summary;
 
-/// The table, and whether all bounds hold and everything was measured; with the errors of `each` sketch.
+/// The table, and whether all values are within the bounds and everything was measured. With `each`, also the errors of
+/// each sketch.
 pub fn table(kind: &Kind, outcomes: &[Outcome], each: bool) -> (String, bool) {
     let (mut text, mut good) = (format!("{}: {} sketches\n", kind.name, outcomes.len()), true);
     let _ = writeln!(

@@ -1,4 +1,4 @@
-//! Weaves: lines side by side of two or three directions that cross.
+//! Trial of weaves: sketches of parallel lines in two or three directions that cross.
 
 use dapple::document::{Edges, LayerOptions, PairKind, SystemChoice};
 use dapple_engine::grid::Field;
@@ -16,24 +16,24 @@ const SIDE: f64 = 512.0;
 const WIDTH: [f64; 2] = [3.0, 10.0];
 /// Width ÷ period.
 const DUTY: [f64; 2] = [0.15, 0.4];
-/// The share that three directions leave free, at least: denser threads are moved apart, with a note.
+/// The least share that three directions leave free. Denser threads are moved apart, with a note.
 const FREE: f64 = 0.42;
-/// A direction that is measured farther away from the one that was drawn is another one, degrees.
+/// A measured direction that is farther than this from the drawn one counts as another direction, degrees.
 const SAME: f64 = 15.0;
 
-/// What is compared: bounds are what was set out for.
+/// The figures that are compared; the bounds are the goals that were set.
 pub const FIGURES: &[Figure] = &[
     Figure { name: "width %", factor: 100.0, bounds: Some([3.0, 7.0]) },
     Figure { name: "period %", factor: 100.0, bounds: Some([2.0, 6.0]) },
     Figure { name: "angle °", factor: 1.0, bounds: Some([0.7, 2.5]) },
 ];
 
-/// Every third sketch has three directions.
+/// A random sketch; every third one has three directions.
 pub fn sketch(dice: &mut Dice) -> Sketch {
     let three = dice.chance(1.0 / 3.0);
     let first = dice.between([0.0, 180.0]);
     let angles = if three {
-        // 48 to 72° apart.
+        // Directions are 48 to 72° apart.
         vec![first, first + 60.0 + dice.off(6.0), first + 120.0 + dice.off(6.0)]
     } else {
         vec![first, first + dice.between([45.0, 90.0])]
@@ -62,7 +62,7 @@ pub fn sketch(dice: &mut Dice) -> Sketch {
     }
 }
 
-/// By the ruler of weaves, on the picture alone.
+/// Measured by dapple's measurement of weaves, on the picture alone.
 pub fn measure(sketch: &Sketch, _: &GrownLayer, pattern: &Field) -> Errors {
     let found = measure_weave(pattern).ok_or("no weave")?;
     let mut errors = vec![Vec::new(); FIGURES.len()];

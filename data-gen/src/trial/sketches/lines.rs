@@ -8,21 +8,21 @@ use super::super::dice::Dice;
 use super::ranges::{FACTOR, TURN, WIDTH};
 use super::rectangle;
 
-/// Lines a region.
+/// Number of lines in a region.
 const LINES: [usize; 2] = [3, 6];
 /// Their length as a share of the region's shorter side.
 const LENGTH: [f64; 2] = [0.3, 0.7];
-/// From one to the next, in widths.
+/// Distance from one line to the next, in widths.
 const APART: [f64; 2] = [1.8, 2.6];
-/// Widths are off by up to a tenth, angles by degrees.
+/// Errors like those of drawing by hand: of widths up to a tenth, of angles in degrees.
 const WIDER: f64 = 0.1;
 const ANGLE: f64 = 5.0;
-/// The share of a range that is aimed at, since reading blurs it.
+/// The part of a range that is aimed at, because measuring the sketch adds scatter.
 const AIMED: f64 = 0.9;
-/// A region is at least as many stripe widths wide: four stripes, fewer show neither width nor direction.
+/// The least width of a region, in stripe widths: four stripes. Fewer would show neither width nor direction.
 const ROOM: f64 = 8.0;
 
-/// The lines of a sketch; `None` where they find no room.
+/// The lines of a sketch; `None` where there is no room for them.
 pub fn draw(dice: &mut Dice, layout: &RegionGrid) -> Option<Vec<Stroke>> {
     let [width, angle] = [dice.log_between(WIDTH), dice.between([0.0, 180.0])];
     let wider = dice.by_region(layout, AIMED * libm::log(FACTOR));

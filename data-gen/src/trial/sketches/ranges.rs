@@ -15,13 +15,14 @@ pub const ASPECT: [f64; 2] = [0.3, 1.0];
 pub const PACKING: [f64; 2] = [0.03, 0.2];
 /// Width of a stripe, px.
 pub const WIDTH: [f64; 2] = [4.0, 20.0];
-/// Neighbouring regions differ in area or width by this factor at most.
+/// Neighbouring regions differ in area or width at most by this factor.
 pub const FACTOR: f64 = 2.0;
-/// In direction by as many degrees.
+/// Neighbouring regions differ in direction at most by this angle, degrees.
 pub const TURN: f64 = 45.0;
-/// In area ÷ spacing² by this factor: the variation of hand-drawn sketches with constant density.
+/// Neighbouring regions differ in area ÷ spacing² at most by this factor: the variation in hand-drawn sketches that are
+/// meant to be even.
 pub const LOOSER: f64 = 1.5;
-/// Above this aspect there is no direction to differ in.
+/// The aspect above which marks are too round to have a direction.
 const ROUND: f64 = 0.9;
 
 /// Whether the attributes of all regions of `document` are within the ranges.

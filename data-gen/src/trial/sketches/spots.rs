@@ -11,20 +11,21 @@ use super::super::dice::Dice;
 use super::ranges::{AREA, ASPECT, FACTOR, LOOSER, PACKING, TURN};
 use super::rectangle;
 
-/// Spots a region.
+/// Number of spots in a region.
 const MARKS: [usize; 2] = [5, 12];
-/// Radii are off by up to a tenth, angles by degrees, places by a share of the spacing.
+/// Errors like those of drawing by hand: of radii up to a tenth, of angles in degrees, of places as a share of the
+/// spacing.
 const RADIUS: f64 = 0.1;
 const ANGLE: f64 = 8.0;
 const PLACE: f64 = 0.15;
-/// The share of a range that is aimed at, since reading blurs it.
+/// The part of a range that is aimed at, because measuring the sketch adds scatter.
 const AIMED: f64 = 0.9;
-/// Arrangements tried in a region.
+/// Arrangements that are tried in a region.
 const TRIES: usize = 20;
-/// Spots are drawn with as much room between them that these larger ones would not touch.
+/// Spots are drawn so far apart that spots larger by this factor would not touch.
 const ROOM: f64 = 1.05;
 
-/// What is aimed at in a region.
+/// The attributes that are aimed at in a region.
 struct Aim {
     area: f64,
     aspect: f64,
@@ -32,7 +33,7 @@ struct Aim {
     spacing: f64,
 }
 
-/// The spots of a sketch; `None` where they find no room.
+/// The spots of a sketch; `None` where there is no room for them.
 pub fn draw(dice: &mut Dice, layout: &RegionGrid) -> Option<Vec<Stroke>> {
     let mut all: Vec<Ellipse> = Vec::new();
     for (index, aim) in aims(dice, layout).iter().enumerate() {
@@ -62,7 +63,7 @@ fn aims(dice: &mut Dice, layout: &RegionGrid) -> Vec<Aim> {
     (0..layout.len()).map(aim).collect()
 }
 
-/// Spots in a region at this corner of this size, clear of those that are there.
+/// Spots in a region with this corner and size, which do not touch those that are already there.
 fn region(
     dice: &mut Dice,
     aim: &Aim,
@@ -95,8 +96,8 @@ fn region(
     Some(marks)
 }
 
-/// Places at the spacing aimed at: neighbours on a jittered hexagonal lattice, drawn out along long spots so that
-/// these keep apart.
+/// Places at the spacing that is aimed at: neighbours on a jittered hexagonal lattice, stretched along elongated spots
+/// so that these do not touch.
 fn arrangement(dice: &mut Dice, aim: &Aim) -> Option<Vec<[f64; 2]>> {
     const REACH: i32 = 5;
     let count = dice.whole(MARKS);

@@ -19,7 +19,7 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) -> Opti
             ui.radio_value(&mut film.change, false, "The growth")
                 .on_hover_text("From the beginning to the settled texture");
             let explained =
-                "This document changes into another one: its marks grow, turn, move, split and vanish";
+                "This document changes into another one: its marks move, turn, split, vanish, and change their size";
             ui.radio_value(&mut film.change, true, "The change into another document")
                 .on_hover_text(explained);
         });

@@ -29,7 +29,7 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) {
         named(
             ui,
             "Level",
-            "The pattern value of the contours: 0.5 = the marks' edges, less = outside, more = inside",
+            "Where the outlines lie: 0.5 = at the edges of the marks, less = outside them, more = inside",
         );
         let field = DragValue::new(&mut outlines.level).range(0.01..=0.99).speed(0.005).max_decimals(3);
         number(ui, "Level", field, "");
@@ -76,7 +76,7 @@ fn style(ui: &mut Ui, outlines: &mut Outlines, dpi: f64) {
     });
     ui.end_row();
     if outlines.hatch {
-        named(ui, "Hatch", "Spacing of its strokes, and their direction, from right towards down");
+        named(ui, "Hatch", "Spacing of its strokes, and their direction: 0° runs to the right, 90° down");
         let finest = Hatch::FINEST * outlines.unit(dpi).per_px();
         ui.horizontal(|ui| {
             let field = DragValue::new(&mut outlines.spacing).range(finest..=1e4).speed(0.02).max_decimals(3);

@@ -74,13 +74,18 @@ fn note(choices: &Choices) -> &'static str {
         (PictureContent::Texture, Format::Tiff) => "Not compressed, lossless.",
         (PictureContent::Texture, Format::Png | Format::Webp) => "Compressed, lossless.",
         (PictureContent::Texture, Format::Jpeg) => "A small file; fine edges are blurred.",
-        (PictureContent::Pattern, Format::Exr) => "0 = ground, 0.5 = a mark's edge, 1 = its centre; 32 bit.",
-        (PictureContent::Pattern, _) => {
-            "Black = ground, middle gray = a mark's edge, white = its centre; 16 bit."
+        (PictureContent::Pattern, Format::Exr) => {
+            "0 = ground, 0.5 = the edge of a mark, 1 = its centre; 32 bit."
         }
-        (PictureContent::Labels, _) => "0 = none, 1 = the lowest layer, and so on: the picture looks black.",
+        (PictureContent::Pattern, _) => {
+            "Black = ground, middle gray = the edge of a mark, white = its centre; 16 bit."
+        }
+        (PictureContent::Labels, _) => {
+            "Pixel value 0 = no layer, 1 = the lowest layer, and so on. Such small values look black."
+        }
         (PictureContent::Concentrations, _) => {
-            "A channel for each chemical of each layer, as computed by the solver. It is grown again."
+            "The amounts of the simulated substances: one channel for each substance of each layer. The \
+             texture is grown again."
         }
     }
 }

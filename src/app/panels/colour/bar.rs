@@ -103,7 +103,7 @@ pub fn transition(gap: usize) -> String {
     format!("Transition from stop {} to {}", gap + 1, gap + 2)
 }
 
-/// A bend as a line across `rect`, where y runs from `low` at the bottom to `high` at the top.
+/// Paints a bend as a line across `rect`; y goes from `low` at the bottom to `high` at the top.
 pub fn line(rect: Rect, bend: Bend, [low, high]: [f64; 2]) -> Vec<egui::Pos2> {
     let steps = (rect.width() / 2.0).clamp(2.0, 120.0) as usize;
     (0..=steps)
@@ -149,11 +149,11 @@ fn stop_id(ui: &Ui, index: usize) -> Id {
 
 /// The stops below the bar.
 fn stops(ui: &Ui, panel: &mut ColourPanel, colours: &mut Colours, rect: Rect, bar: Rect) {
-    // While a stop is dragged, all keep the order and the names from before.
+    // While a stop is dragged, all stops keep the order and the names that they had before the drag.
     let drag = panel.drag.as_ref().and_then(|drag| Some((&drag.before, drag.stop?)));
     let (seen, moved) = drag.map_or((colours.clone(), None), |(before, stop)| (before.clone(), Some(stop)));
     let count = seen.stops.len();
-    // The selected one is drawn last.
+    // The selected stop is drawn last.
     let order = (0..count).filter(|i| *i != panel.stop).chain([panel.stop]).filter(|i| *i < count);
     let order: Vec<usize> = if moved.is_some() { (0..count).collect() } else { order.collect() };
     for index in order {

@@ -100,7 +100,8 @@ fn place(room: Rect, [x, y]: [f64; 2], [low, high]: [f64; 2]) -> Pos2 {
     pos2(room.left() + x as f32 * room.width(), room.bottom() - y as f32 * room.height())
 }
 
-/// What the axes mean: below, the colours of the transition; on the left, an even mix of its two colours.
+/// Strips of colour that explain the axes: below the plot the colours of the transition, on the left an even mix of its
+/// two colours.
 fn strips(ui: &Ui, colours: &Colours, gap: usize, room: Rect, range: [f64; 2]) {
     let painter = ui.painter();
     let [from, to] = [gap, gap + 1].map(|stop| colours.stops[stop]);

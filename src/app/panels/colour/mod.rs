@@ -29,9 +29,10 @@ pub struct ColourPanel {
     drag: Option<Drag>,
     /// A colour that is being typed.
     hex: Option<String>,
-    /// The colour of the picker, and its hue, saturation and value: gray alone would lose the hue.
+    /// The colour of the picker with its hue, saturation and value: from a gray alone the hue would be lost.
     hsv: Option<([u8; 3], HsvaGamma)>,
-    /// The model of the picker's numbers, and what was typed: the colour that came of it, its model, its coordinates.
+    /// The colour model of the picker's numbers, and the numbers that were typed: the resulting colour, its model, its
+    /// coordinates.
     model: ColourModel,
     typed: Option<([u8; 3], ColourModel, [f64; 3])>,
     /// Whether the next click on a picture gives the selected stop its colour.
@@ -52,14 +53,14 @@ struct Drag {
     before: Colours,
     /// The stop; `None` = a handle of the curve.
     stop: Option<usize>,
-    /// From what is dragged to the pointer, points.
+    /// The vector from the dragged stop or handle to the pointer, points.
     offset: [f32; 2],
-    /// Smallest and largest y of the curve's plot: it does not change during the drag.
+    /// The range of y in the curve's plot; it does not change during the drag.
     range: [f64; 2],
 }
 
 impl ColourPanel {
-    /// Ends a drag, if there is one. Gives whether there was.
+    /// Ends a drag. Returns whether there was one.
     pub fn cancel(&mut self) -> bool {
         self.drag.take().is_some()
     }
@@ -79,7 +80,7 @@ impl ColourPanel {
     }
 }
 
-/// Shows the colours of the active layer. A drag gives an edit in every frame.
+/// Shows the colours of the active layer. A drag returns an edit in every frame.
 pub fn colour(ui: &mut Ui, session: &Session, panel: &mut ColourPanel) -> Vec<Action> {
     let layer = session.active_layer;
     let before = session.colours(layer);

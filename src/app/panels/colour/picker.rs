@@ -16,7 +16,7 @@ use crate::app::units::number_field;
 use crate::colour::ColourModel;
 use crate::document::Stop;
 
-/// Shows it; `fresh`: it was just opened by a key and takes the keyboard focus.
+/// Shows the picker. `fresh`: a key has just opened it, so it takes the keyboard focus.
 pub fn picker(ui: &mut Ui, panel: &mut ColourPanel, stop: &mut Stop, fresh: bool) {
     ui.set_width(200.0);
     pads(ui, &mut panel.hsv, &mut stop.colour, fresh);
@@ -56,7 +56,8 @@ fn fields(ui: &mut Ui, panel: &mut ColourPanel, colour: &mut [u8; 3]) {
         }
     });
     let model = panel.model;
-    // What was typed is kept: hue and chroma of a gray would be lost, and rounding to 8 bits would change the others.
+    // The typed numbers are kept: hue and chroma of a gray would be lost otherwise, and rounding to 8 bits would change
+    // the other numbers.
     let known = panel.typed.filter(|(of, by, _)| of == colour && *by == model);
     let mut values = known.map_or_else(|| model.of(*colour), |(_, _, values)| values);
     let mut has_changed = false;
@@ -98,7 +99,7 @@ fn pads(ui: &mut Ui, known: &mut Option<([u8; 3], HsvaGamma)>, colour: &mut [u8;
     *known = Some((*colour, hsv));
 }
 
-/// A field of colours with a position in it, 0..1 to the right and up.
+/// A field of colours, and a position in it: 0..1 to the right and upwards.
 fn pad(
     ui: &mut Ui,
     name: &str,

@@ -12,7 +12,7 @@ use crate::document::Colours;
 /// Size of a picture, px.
 const SIZE: [usize; 2] = [34, 24];
 
-/// Shows them; gives the colours of the one that is clicked. `colours`: those of the active layer.
+/// Shows the presets; returns the colours of the one that is clicked. `colours`: those of the active layer.
 pub fn presets(ui: &mut Ui, panel: &mut ColourPanel, colours: &Colours) -> Option<Colours> {
     let mut chosen = None;
     if panel.samples.is_empty() {
@@ -72,7 +72,7 @@ fn picture(preset: &Preset) -> ColorImage {
             }
             Marking::Stripes => (0.75 * x + 0.9 * (0.2 * y).sin()).sin() - 0.05,
         };
-        // A grown pattern is steep at the marks' edges.
+        // A grown pattern is steep at the edges of its marks.
         let value = (0.5 + 0.9 * wave).clamp(0.0, 1.0);
         shown(shades[(value * (SHADES - 1) as f32).round() as usize])
     };

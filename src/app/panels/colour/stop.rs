@@ -30,9 +30,10 @@ pub fn stop(ui: &mut Ui, panel: &mut ColourPanel, colours: &mut Colours) {
         let before = colours.stops[index].at;
         let mut at = before;
         let field = DragValue::new(&mut at).range(0.0..=1.0).speed(0.002).max_decimals(3);
-        let field = ui.add(number_field(field, "")).accessible_name("Place of the stop");
+        let field = ui.add(number_field(field, "")).accessible_name("Position of the stop");
         field.on_hover_text(
-            "The pattern value that has this colour: 0 = the ground, 0.5 = a mark's edge, 1 = its centre",
+            "The place from ground to mark that has this colour: 0 = the ground, 0.5 = the edge of a mark, 1 \
+             = its centre",
         );
         if at != before {
             let moved = colours.shift(index, rounded(at));

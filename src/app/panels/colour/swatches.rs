@@ -10,7 +10,7 @@ use crate::editor::session::Session;
 
 /// Side of a swatch, points.
 const SIDE: f32 = 20.0;
-/// Swatches at most; a palette of more colours is not looked through.
+/// The largest number of swatches; further colours of a palette are not looked for.
 const MOST: usize = 40;
 
 /// The colours of all stops of all layers, each once, the lowest layer first.

@@ -1,4 +1,4 @@
-//! The rows and fields of fields of points, of maps and of tones.
+//! The rows and fields that are used for fields of points, for maps and for tones.
 
 use egui::{DragValue, Label, Response, Ui};
 
@@ -31,7 +31,7 @@ pub(super) fn probability(ui: &mut Ui, name: &str, dark: &mut [f64; 2]) -> Respo
     two(ui, name, dark, |ui, name, dark| share(ui, name, dark, &limits::INK))
 }
 
-/// Two counts of rays; the second stays no less than the first.
+/// Two counts of rays; the second one is kept from falling below the first.
 pub(super) fn rays(ui: &mut Ui, name: &str, rays: &mut [u32; 2]) -> Response {
     let before = *rays;
     let shown = two(ui, name, rays, |ui, name, rays| whole(ui, name, rays, limits::RAYS));
@@ -43,7 +43,7 @@ pub(super) fn rays(ui: &mut Ui, name: &str, rays: &mut [u32; 2]) -> Response {
     shown
 }
 
-/// The probability of nodes, in per cent with a decimal.
+/// The probability of nodes, in per cent with one decimal.
 pub(super) fn nodes(ui: &mut Ui, start: &mut f64) -> Response {
     let Range { low, high, .. } = limits::START;
     let mut percent = 100.0 * *start;
@@ -80,7 +80,7 @@ pub(super) fn degrees(ui: &mut Ui, name: &str, value: &mut f64) -> Response {
     ui.add(number_field(field, "°")).accessible_name(name)
 }
 
-/// A row: the name, a control, and the button that restores the default. Gives whether that was pressed.
+/// A row: the name, a control, and the button that restores the default. Returns whether that button was pressed.
 pub(super) fn row(
     ui: &mut Ui,
     name: &str,

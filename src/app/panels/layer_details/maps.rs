@@ -1,4 +1,4 @@
-//! What varies over the canvas by noise or by a picture: a row for each attribute that can.
+//! Variation over the canvas by noise or by a picture: a row for each attribute that can vary.
 
 use egui::{CollapsingHeader, ComboBox, DragValue, Grid, Response, Ui, vec2};
 
@@ -17,7 +17,7 @@ const NONE: &str = "No";
 const NOISE: &str = "By noise";
 const PICTURE: &str = "By a picture…";
 
-/// The rows of the active layer, folded unless something varies.
+/// The rows of the active layer; folded unless an attribute varies.
 pub(super) fn rows(ui: &mut Ui, session: &Session, layer: &Layer) -> Vec<Action> {
     let kind = session.kind(session.active_layer);
     let keys: Vec<MapKey> = MapKey::ALL.into_iter().filter(|key| has_map(layer, kind, *key)).collect();
@@ -28,7 +28,7 @@ pub(super) fn rows(ui: &mut Ui, session: &Session, layer: &Layer) -> Vec<Action>
     let mut maps = layer.maps.clone();
     let header =
         CollapsingHeader::new("Varies over the canvas").id_salt("maps").default_open(!maps.is_empty());
-    // Indented, the reset buttons would lie beneath the scroll bar.
+    // Not indented: the reset buttons would lie under the scroll bar.
     let shown = header.show_unindented(ui, |ui| {
         Grid::new("maps").num_columns(3).min_col_width(0.0).spacing(vec2(7.0, 5.0)).show(ui, |ui| {
             for key in keys {
@@ -37,7 +37,7 @@ pub(super) fn rows(ui: &mut Ui, session: &Session, layer: &Layer) -> Vec<Action>
         });
     });
     shown.header_response.on_hover_text(
-        "Noise or a gray picture changes what the drawn marks ask for from place to place: sizes, distances, directions, colours",
+        "Noise or a gray picture changes the texture from place to place: sizes, distances, directions, colours",
     );
     if maps != layer.maps {
         actions.push(Action::Edit(Edit::LayerMaps(session.active_layer, maps)));
@@ -45,7 +45,7 @@ pub(super) fn rows(ui: &mut Ui, session: &Session, layer: &Layer) -> Vec<Action>
     actions
 }
 
-/// Its name in the window.
+/// The name of the attribute in the window.
 fn title(key: MapKey) -> &'static str {
     match key {
         MapKey::Area => "Size",
@@ -58,18 +58,19 @@ fn title(key: MapKey) -> &'static str {
     }
 }
 
-/// What varies, in a sentence.
+/// What varies, in one sentence.
 fn help(key: MapKey) -> &'static str {
     match key {
-        MapKey::Area => "The area of the marks; of a field of points the share that is dark goes with it",
+        MapKey::Area => "The area of the marks; in a field of points, also the share that is dark",
         MapKey::Spacing => {
-            "The distance of the marks or points; of stripes and threads their period, with their width"
+            "The distance between marks or points; for stripes and threads, the distance from one to the \
+             next, together with their width"
         }
         MapKey::Direction => "The direction of the marks",
         MapKey::Aspect => "Minor ÷ major radius of the marks: 1 is round",
-        MapKey::Duty => "The share of the period that stripes or threads cover",
+        MapKey::Duty => "The width of stripes or threads, as a share of the distance from one to the next",
         MapKey::Colour => {
-            "The place in the gradient: ground and marks take other colours, edges stay where they are"
+            "The place in the gradient: ground and marks get other colours, their edges do not move"
         }
         MapKey::Growth => "The growth of Turing's system: 18 grows dots, 20 worms, 25 holes",
     }
@@ -91,7 +92,7 @@ fn row(ui: &mut Ui, maps: &mut LayerMaps, key: MapKey) -> Option<Action> {
     asked.then_some(Action::ChoosePicture(PictureUse::Map(key)))
 }
 
-/// By what an attribute varies.
+/// The source of the variation of an attribute.
 fn source(ui: &mut Ui, maps: &mut LayerMaps, key: MapKey, asked: &mut bool) {
     let now = match maps.get(key).map(|map| &map.source) {
         None => NONE,
@@ -134,19 +135,20 @@ fn numbers(ui: &mut Ui, map: &mut LayerMap, key: MapKey) {
     let title = title(key);
     match &mut map.source {
         MapSource::Noise { size, octaves } => {
-            number(ui, "noise size", "From a light place of the noise to the next dark one", |ui| {
+            number(ui, "noise size", "Distance from a light place of the noise to the next dark one", |ui| {
                 let Range { low, high, .. } = limits::MAP_SIZE;
                 let field = DragValue::new(size).range(low..=high).speed(1.0).max_decimals(0);
                 ui.add(number_field(field, " px")).accessible_name(format!("{title}, noise size"))
             });
-            let help = "Each octave adds noise of half the size and half the weight";
+            let help = "Number of layers of noise: each further one has half the size and half the weight, \
+                        and adds finer detail";
             number(ui, "octaves", help, |ui| {
                 fields::whole(ui, &format!("{title}, octaves"), octaves, [1, limits::MAP_OCTAVES])
             });
         }
         MapSource::Image { factor, .. } => {
             let before = *factor;
-            let help = "Whether the picture changes what the marks ask for, or replaces it";
+            let help = "On: the picture changes the values of the drawn marks. Off: it replaces them";
             number(ui, "changes it", help, |ui| {
                 ui.checkbox(factor, "").accessible_name(format!("{title}, changes what is drawn"))
             });
@@ -157,12 +159,13 @@ fn numbers(ui: &mut Ui, map: &mut LayerMap, key: MapKey) {
     }
     let change = map.change(key);
     let help = match change {
-        MapChange::Replace => "What is asked for at black and at white",
+        MapChange::Replace => "The value where the picture is black, and where it is white",
         MapChange::Multiply => {
-            "By how much it is multiplied where the map is darkest and where it is lightest"
+            "The factor where the noise or the picture is darkest, and where it is lightest"
         }
         MapChange::Add => {
-            "By how much it is turned, or the gradient shifted, where the map is darkest and where it is lightest"
+            "What is added where the noise or the picture is darkest, and where it is lightest: degrees to a \
+             direction, a shift to the place in the gradient"
         }
     };
     number(ui, "from, to", help, |ui| {

@@ -47,7 +47,9 @@ pub fn details(ui: &mut Ui, session: &Session, unfolded: &mut bool) -> Vec<Actio
         let colour = ui.style().interact(&fold).text_color();
         icon.paint(ui.painter(), Rect::from_center_size(place, vec2(16.0, 16.0)), colour);
         if fold
-            .on_hover_text("How the active layer meets the layers beneath, its system, its options")
+            .on_hover_text(
+                "Where the active layer grows relative to the layers beneath, its system, its options",
+            )
             .clicked()
         {
             *unfolded = !*unfolded;
@@ -90,17 +92,19 @@ pub fn details(ui: &mut Ui, session: &Session, unfolded: &mut bool) -> Vec<Actio
     actions
 }
 
-/// A summary in two or three words.
+/// A summary of the settings in a few words: where the marks grow, unless this is the lowest layer; the system; whether
+/// options differ from their defaults.
 fn summary(session: &Session, layer: &Layer) -> String {
-    let met = match session.beneath(session.active_layer) {
-        None => "lowest",
-        Some(_) => layer.after.name(),
+    let place = match session.beneath(session.active_layer) {
+        None => String::new(),
+        Some(_) => format!("{}, ", layer.after.name()),
     };
-    let own = if layer.options == LayerOptions::default() { "" } else { ", own options" };
-    format!("{met}, {}{own}", layer.system.name())
+    let system = if layer.system == SystemChoice::Auto { "automatic" } else { layer.system.title() };
+    let options = if layer.options == LayerOptions::default() { "" } else { ", changed options" };
+    format!("{place}{system}{options}")
 }
 
-/// How it meets the layers beneath: a picture of each way.
+/// Where the marks grow relative to those beneath: a button with a picture for each choice.
 fn meeting(ui: &mut Ui, session: &Session, layer: &Layer) -> Option<Edit> {
     let mut edit = None;
     ui.horizontal(|ui| {
@@ -117,7 +121,7 @@ fn meeting(ui: &mut Ui, session: &Session, layer: &Layer) -> Option<Edit> {
     edit
 }
 
-/// A row of a list: the small picture of what is grown by the choice, and its label.
+/// A row of a list: a small picture of what the choice grows, and its label.
 fn picture_row(ui: &mut Ui, picture: Option<TextureHandle>, label: &str, chosen: bool) -> egui::Response {
     match picture {
         Some(texture) => {
@@ -129,7 +133,7 @@ fn picture_row(ui: &mut Ui, picture: Option<TextureHandle>, label: &str, chosen:
 }
 
 fn system(ui: &mut Ui, session: &Session, layer: &Layer) -> Option<Edit> {
-    let help = "The reaction-diffusion system that grows it";
+    let help = "The kind of growth that makes the marks of this layer";
     ui.label("System").on_hover_text(help);
     let mut chosen = layer.system;
     let combo =

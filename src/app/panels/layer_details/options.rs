@@ -35,53 +35,59 @@ fn described(choice: OptionKey) -> (&'static str, &'static str) {
     match choice {
         OptionKey::Spread => (
             "Variation",
-            "How much the spots differ from each other: as the drawn ones do (if a region has at least six), not at all, or by the numbers below",
+            "How much the spots differ from each other: as much as the drawn ones (if a region has at least \
+             six), not at all, or as the numbers below say",
         ),
         OptionKey::Irregular => (
             "Irregular",
-            "How irregular the shapes are: 0 % grows ellipses, 100 % beans, bars and drops. Only Turing's system does \
-             that",
+            "How irregular the shapes are: 0 % grows ellipses, 100 % beans, bars and drops. Only Turing's \
+             spots have this option",
         ),
         OptionKey::Keep => (
             "Keep marks",
             "Whether the drawn marks themselves are part of the texture. The default is yes, but not with several regions",
         ),
         OptionKey::Duty => (
-            "Share",
-            "Width of the stripes ÷ their period. As drawn: as the drawn lines that lie side by side, of each region by \
-             itself. 50 %: the stripes are as wide as the gaps between them; below, down to 18 %, they are lines on wide \
+            "Stripe width",
+            "Width of the stripes, as a share of the distance from one stripe to the next. As drawn: measured \
+             on the drawn lines that lie side by side, for each region separately. 50 %: the stripes are as \
+             wide as the gaps between them; below, down to 18 %, they are lines on wide \
              ground; above, up to 82 %, wide stripes with thin gaps",
         ),
         OptionKey::Seeding => (
             "Starts from",
-            "Noise: stripes follow the drawn directions closely. Segments: short lines in the drawn direction, which \
-             grow into forked and wavy stripes. Drawn lines: stripes spread from them",
+            "What the growth starts from. Noise: stripes follow the drawn directions closely. Segments: short \
+             lines in the drawn direction, which grow into forked and wavy stripes. Drawn lines: stripes \
+             spread from the lines that you drew",
         ),
         OptionKey::Ragged => (
             "Ragged",
-            "How ragged the edges are: of patches as the drawn outlines (ellipses are smooth), of spots and stripes as they grow, or 0 % to 50 %",
+            "How ragged the edges are, 0 % to 50 %. As drawn: patches are as ragged as the drawn outlines \
+             (ellipses are smooth); the edges of spots and stripes are not changed",
         ),
         OptionKey::Detail => (
             "Detail",
-            "Points from which a patch or a streak is made, 7 to 200: the more, the finer the fringes of a patch, and the longer \
-                 a streak",
+            "Number of points that make up a patch or a streak, 7 to 200. More points: a patch has finer \
+             fringes, a streak is longer",
         ),
         OptionKey::Gap => (
             "Lines",
-            "Width of the lines between cells: as the gaps between drawn outlines that nearly touch, or this width",
+            "Width of the lines between cells. As drawn: the width of the gaps between drawn outlines that \
+             nearly touch",
         ),
         OptionKey::Over => (
             "Crossings",
-            "Which threads lie over the others: all level; plain, one over and one under; twill, two over and one or two under; \
-             random",
+            "Which threads lie on top where they cross. Level: none. Plain: over one, under one. Twill: over \
+             two, under one or two. Random: by chance",
         ),
         OptionKey::Decay => (
             "Decay",
             "How far worms break up into dots: 0 % grows a maze of worms, 80 % dots and worms, 85 % hardly any worms",
         ),
-        OptionKey::Broken => {
-            ("Broken", "The share of each ring that is open, 0 to 60 %, in two to five gaps, as on a leopard")
-        }
+        OptionKey::Broken => (
+            "Broken",
+            "The share of each ring that is left open, 0 to 60 %, in two to five gaps, as in the rosettes of a leopard",
+        ),
     }
 }
 
@@ -129,7 +135,7 @@ fn duty(ui: &mut Ui, name: &str, duty: &mut DutyChoice) -> egui::Response {
 }
 
 fn ragged(ui: &mut Ui, name: &str, ragged: &mut RaggedChoice) -> egui::Response {
-    /// What the field begins at: as ragged as a Holstein's patches.
+    /// The value that the field begins with: as ragged as the patches of a Holstein.
     const BEGIN: f64 = 0.2;
     let choose = |ui: &mut Ui| {
         let mut drawn = *ragged == RaggedChoice::Drawn;
@@ -146,7 +152,7 @@ fn ragged(ui: &mut Ui, name: &str, ragged: &mut RaggedChoice) -> egui::Response 
 }
 
 fn gap(ui: &mut Ui, name: &str, gap: &mut GapChoice) -> egui::Response {
-    /// What the field begins at, px.
+    /// The value that the field begins with, px.
     const BEGIN: f64 = 6.0;
     let choose = |ui: &mut Ui| {
         let mut drawn = *gap == GapChoice::Drawn;

@@ -1,4 +1,4 @@
-//! Small pictures of what each system grows, and each kind of labels of a field of points, beside their names.
+//! Small pictures that stand beside the names of systems and of kinds of labels, and show what these grow.
 //!
 //! Each was grown by dapple, and holds its document: `docs/window.md` says how they are renewed.
 
@@ -9,7 +9,7 @@ use crate::app::assets::{Asset, asset};
 /// Size of a picture, points: half of its px, so that it is sharp on fine screens.
 pub const SIZE: Vec2 = vec2(48.0, 32.0);
 
-/// By the names of the kinds of labels.
+/// The pictures of the kinds of labels, in the order of their names.
 const LABELS: [Asset; 8] = [
     asset!("labels", "values"),
     asset!("labels", "random"),

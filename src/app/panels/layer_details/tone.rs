@@ -42,14 +42,16 @@ pub(super) fn rows(ui: &mut Ui, session: &Session, layer: &Layer) -> Vec<Action>
 }
 
 fn picture(ui: &mut Ui, text: &str) -> Option<Action> {
-    let help = "A picture that drives the layer: ink follows its light and dark, stripes run along its edges";
+    let help = "A picture that the layer follows: more ink where it is darker, stripes along its edges";
     ui.add(Label::new("Tone")).on_hover_text(help);
     let asked = ui.button(text).accessible_name("Picture of the tone").on_hover_text(help).clicked();
     asked.then_some(Action::ChoosePicture(PictureUse::Tone))
 }
 
 fn drives(ui: &mut Ui, drives: &mut Drives) {
-    let help = "What follows the picture: the share of ink its tone, directions its edges, distances its details. One of them at least";
+    let help = "What follows the picture, at least one of three. Ink: the share of ink follows its tone. \
+                Direction: marks run along its edges. Spacing: marks are closer together where it has fine \
+                detail";
     let default = *drives == Drives::default();
     let control = |ui: &mut Ui| {
         ui.vertical(|ui| {
@@ -60,7 +62,7 @@ fn drives(ui: &mut Ui, drives: &mut Drives) {
             ];
             let only_one = boxes.iter().filter(|(set, _)| **set).count() == 1;
             for (set, name) in boxes {
-                // The last one stays.
+                // At least one box stays ticked.
                 let can = !(only_one && *set);
                 let field = ui.add_enabled(can, egui::Checkbox::new(set, name));
                 field.accessible_name(format!("{name} follows the picture"));
@@ -74,12 +76,13 @@ fn drives(ui: &mut Ui, drives: &mut Drives) {
 }
 
 fn sketch(ui: &mut Ui, sketch: &mut f64) {
-    let help = "How much the drawn direction counts against the edges of the picture: at 0 flat parts have the directions of the \
-                nearest edges, at 0.1 they hatch along the drawn lines, at 10 edges hardly turn lines";
+    let help = "How much the drawn direction counts against the edges of the picture. 0: parts without edges \
+                take the directions of the nearest edges. 0.1: parts without edges take the drawn direction. \
+                10: edges hardly change the drawn direction";
     let range = limits::SKETCH.low..=limits::SKETCH.high;
     let default = (*sketch - Tone::SKETCH).abs() < 1e-9;
     let control = |ui: &mut Ui| {
-        // With its number it is as wide as the other controls.
+        // The slider and its number together are as wide as the other controls.
         ui.spacing_mut().slider_width = CONTROL - NUMBER;
         let slider = Slider::new(sketch, range).logarithmic(true).smallest_positive(0.01).max_decimals(2);
         ui.add(slider).accessible_name("Sketch")
@@ -90,8 +93,8 @@ fn sketch(ui: &mut Ui, sketch: &mut f64) {
 }
 
 fn range(ui: &mut Ui, range: &mut [f64; 2]) {
-    let help =
-        "The share of ink where the picture is white, and where it is black; falling numbers make a negative";
+    let help = "The share of ink where the picture is white, and where it is black. If the first number is \
+                the larger one, the result is a negative";
     let default = *range == Tone::RANGE;
     let control = |ui: &mut Ui| {
         ui.horizontal(|ui| {

@@ -108,7 +108,7 @@ fn shown(ui: &mut Ui, session: &Session, layer: usize, actions: &mut Vec<Action>
     }
 }
 
-/// Shows how many marks a layer has, and of what kind; gives the left end of the number.
+/// Shows how many marks a layer has, and of what kind; returns the x of the left end of the number.
 fn mark_count(ui: &Ui, session: &Session, layer: usize, rest: Rect) -> f32 {
     let colours = Palette::current(ui.visuals());
     let center = pos2(rest.left() + 10.0, rest.center().y);
@@ -171,7 +171,7 @@ fn counted(session: &Session, layer: usize) -> String {
     if named.is_empty() { unmarked(&session.document().layers[layer]).to_owned() } else { named.join(", ") }
 }
 
-/// What a layer without marks has instead.
+/// The text for a layer without marks.
 fn unmarked(layer: &Layer) -> &'static str {
     match layer {
         Layer { tone: Some(_), .. } => "a picture",

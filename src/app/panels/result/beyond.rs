@@ -1,4 +1,4 @@
-//! What cannot be grown, in words with lengths.
+//! Texts about attributes that cannot be grown, with lengths in the user's unit.
 
 use crate::attributes::{Attribute, Attributes};
 use crate::editor::units::Ruler;
@@ -20,7 +20,7 @@ pub fn in_words(note: &Note, asked: &Attributes, ruler: Ruler) -> String {
                 format!("{problem}: at this size their centres need about {possible}, you drew {drawn}.")
             }
             (Attribute::Duty, _) => format!(
-                "Stripes cannot cover {:.0} % of their period; they will cover {:.0} %.",
+                "Stripes cannot be as wide as {:.0} % of the distance from one to the next; they will be {:.0} %.",
                 100.0 * wanted.value,
                 100.0 * reached.value
             ),
@@ -57,7 +57,7 @@ fn name(attribute: Attribute) -> &'static str {
         Attribute::Aspect => "Aspect",
         Attribute::Width => "Width",
         Attribute::Angle => "Direction",
-        Attribute::Duty => "Stripe share",
+        Attribute::Duty => "Stripe width (share of the period)",
         Attribute::Spacing => "Spacing",
         other => other.name(),
     }

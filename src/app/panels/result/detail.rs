@@ -66,15 +66,15 @@ fn numbers(ui: &mut Ui, ruler: Ruler, region: &RegionResult) {
     Grid::new("numbers").num_columns(5).min_col_width(14.0).spacing(vec2(6.0, 5.0)).show(ui, |ui| {
         for (head, help) in [
             ("", ""),
-            ("asked", "What your marks ask for at the places of the grown ones"),
+            ("asked", "What your marks ask for, at the places where marks have grown"),
             ("grown", "What was measured in the grown texture"),
-            ("error", "By how much what has grown differs from what was asked at its place"),
+            ("error", "The difference between grown and asked"),
         ] {
             ui.label(RichText::new(head).small().weak()).on_hover_text(help);
         }
         ui.end_row();
         for (attribute, value) in &asked {
-            // Round spots have none.
+            // Round spots have no direction.
             if *attribute == Attribute::Angle
                 && report.got.is_some()
                 && report.error.iter().all(|(of, _)| *of != Attribute::Angle)
@@ -112,9 +112,9 @@ fn numbers(ui: &mut Ui, ruler: Ruler, region: &RegionResult) {
     });
 }
 
-/// Why the area or the width that is asked for is not the mean of what was drawn; `None` where they are about the same.
+/// Why the area or the width that is asked for is not the mean of the drawn ones; `None` where both are about the same.
 fn why_asked(report: &RegionReport, ruler: Ruler, is_free: bool) -> Option<String> {
-    /// A difference that nobody asks about, as a share.
+    /// A smaller relative difference is not explained.
     const SMALL: f64 = 0.03;
     let (attribute, drawn) = match &report.asked {
         Attributes::Spots(spots) => (Attribute::Area, spots.area),
@@ -144,7 +144,7 @@ fn asked_at_marks(report: &RegionReport, attribute: Attribute) -> Option<f64> {
     })
 }
 
-/// What cannot be reached, and a button for the nearest that can.
+/// What cannot be reached, and a button that changes the marks to the most similar ones that can be grown.
 fn beyond(
     ui: &mut Ui,
     ruler: Ruler,
@@ -174,7 +174,7 @@ fn beyond(
                 ui.label(RichText::new(capital(&reach.text)).small().weak());
             }
             None => {
-                ui.weak("Searching for the nearest sketch that can be reached …");
+                ui.weak("Searching for the most similar marks that can be grown …");
             }
         }
     });
@@ -199,17 +199,22 @@ fn parameters(ui: &mut Ui, region: &RegionResult) {
 /// The label of a parameter, and its tooltip.
 pub fn parameter(name: &str) -> (&str, &str) {
     match name {
-        "rate" => ("Rate", "Reaction rate ÷ √(Da·Db), 1/cell²: faster reactions give smaller marks"),
+        "rate" => (
+            "Rate",
+            "Reaction rate ÷ √(Da·Db), 1/cell², where Da and Db are the diffusion of the two substances: \
+             faster reactions give smaller marks",
+        ),
         "ratio" => ("Ratio", "Db ÷ Da: diffusion of the inhibitor ÷ diffusion of the activator"),
         "stretch" => ("Stretch", "Minor ÷ major axis of the diffusion: below 1 marks are elongated"),
         "direction" => ("Direction", "Long axis of the diffusion, degrees"),
-        "level" => ("Level", "The share of the local peak at which a mark's edge lies"),
+        "level" => ("Level", "Where the edge of a mark lies, as a share of the highest concentration nearby"),
         "pitch" => ("Pitch", "Spacing of the spots ÷ the spacing that the system gives by itself"),
         "sigma" => (
             "Noise",
-            "Standard deviation of the logarithm of the distance by which a patch claims its points",
+            "Random part of the distance that decides to which patch a point belongs: standard deviation of \
+             its logarithm",
         ),
-        "points" => ("Points", "Points a patch"),
+        "points" => ("Points", "Number of points in a patch"),
         "cell" => ("Cell", "Size of a cell of the simulation's grid, px"),
         other => (other, ""),
     }

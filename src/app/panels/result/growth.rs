@@ -1,4 +1,4 @@
-//! What Turing's growth has made.
+//! The result of a layer of Turing's growth.
 
 use egui::Ui;
 

@@ -99,14 +99,15 @@ pub fn result(ui: &mut Ui, state: &ResultState, panel: &mut ResultPanel) -> Vec<
     detail::detail(ui, state.ruler, region, index, is_current, is_free)
 }
 
-/// What the user should know of the whole layer.
+/// Notes on the whole layer.
 fn notes(ui: &mut Ui, layer: &LayerResult) {
     for note in &layer.notes {
         ui.add(Label::new(RichText::new(note).small().weak()).wrap());
     }
 }
 
-/// How many drawn marks did not grow. They are hollow in the sketch while it is the one that has grown (`is_current`).
+/// How many drawn marks did not grow. They are hollow in the sketch while the sketch is the one that has grown
+/// (`is_current`).
 fn lost(ui: &mut Ui, layer: &LayerResult, is_current: bool) {
     let (lost, all) = (layer.lost(), layer.drawn.len());
     if lost == 0 {
@@ -121,7 +122,7 @@ fn lost(ui: &mut Ui, layer: &LayerResult, is_current: bool) {
     });
 }
 
-/// Why there are no results, or only those of the texture before.
+/// Why there are no results, or only those of the earlier texture.
 fn waiting(state: &ResultState) -> &'static str {
     match state.growth.state {
         GrowthState::Idle => "Nothing has grown yet.",
@@ -163,7 +164,7 @@ fn sign(ui: &mut Ui, verdict: Verdict) {
 /// The label of an attribute, and its tooltip.
 fn named(attribute: Attribute) -> (&'static str, &'static str) {
     match attribute {
-        Attribute::Area => ("Area", "Mean area of the spots at their edge"),
+        Attribute::Area => ("Area", "Mean area of the spots"),
         Attribute::Aspect => ("Aspect", "Minor ÷ major radius; 1 is round"),
         Attribute::Angle => ("Direction", "Mean direction of the major axes, or of the stripes, degrees"),
         Attribute::Spacing => ("Spacing", "Mean distance between neighbours"),
@@ -173,9 +174,10 @@ fn named(attribute: Attribute) -> (&'static str, &'static str) {
             "Raggedness",
             "(Contour ÷ contour of the ellipse with the same area, aspect and direction)²; 1 is smooth",
         ),
-        Attribute::AngleScatter => {
-            ("Scatter", "How much the stripes' directions scatter about the direction asked for, degrees")
-        }
+        Attribute::AngleScatter => (
+            "Scatter",
+            "How far the directions of the stripes deviate from the direction that was asked for, degrees",
+        ),
         _ => ("", ""),
     }
 }

@@ -58,7 +58,7 @@ fn errors(threads: &ThreadReport) -> Vec<(Attribute, f64)> {
     threads.error.iter().flat_map(named).collect()
 }
 
-/// How well threads meet what was asked of them: as the worst of their attributes.
+/// How well threads reach the attributes that were asked for: the verdict on the worst one.
 fn verdict(threads: &ThreadReport) -> Verdict {
     if threads.got.is_none() {
         return Verdict::Missed;

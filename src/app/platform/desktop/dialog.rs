@@ -36,7 +36,7 @@ pub fn system_dialog(
     tasks.start("the file dialog", move |worker: &Worker<_>| {
         let dialog = dialog.set_directory(folder::resolved(&folder));
         worker.send(match purpose {
-            // A folder of its own in the one that was picked, where that is not empty.
+            // Where the chosen folder is not empty, a new folder inside it is used.
             Purpose::ExportInto => dialog.pick_folder().map(|picked| {
                 let is_empty = folder::kind(&picked) == Kind::EmptyFolder;
                 if is_empty { picked } else { picked.join(&name) }

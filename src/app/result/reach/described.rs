@@ -1,4 +1,4 @@
-//! What a change of a sketch does, in words.
+//! Describes a change of a sketch in words.
 
 use super::sketch::Sketch;
 use crate::marks::Mark;
@@ -8,7 +8,7 @@ pub(super) fn described(from: &Sketch, to: &Sketch) -> String {
     let mut changes = Vec::new();
     let mut more = |what: &str, [more, less]: [&str; 2], factor: f64| {
         let per_cent = 100.0 * (factor - 1.0).abs();
-        // Smaller changes are not visible.
+        // Smaller changes cannot be seen.
         if per_cent >= 0.5 {
             let word = if factor > 1.0 { more } else { less };
             let digits = usize::from(per_cent < 9.5);

@@ -1,4 +1,4 @@
-//! The sketch of one region, and changing it toward what can be reached.
+//! The sketch of one region, and how it is changed toward what can be reached.
 
 use super::spaced::{reach_of, spaced};
 use crate::attributes::regions::RegionGrid;
@@ -9,12 +9,12 @@ use crate::learn::Answer;
 use crate::marks::{Ellipse, Line, Mark, Path, turn};
 use crate::synth::drawn::sketch_targets;
 
-/// How much farther than the nearest attributes that can be reached a change goes.
+/// How far a change goes beyond the most similar attributes that can be reached.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Farther {
-    /// Factor of the change.
+    /// Factor on the change.
     pub(super) change: f64,
-    /// Factor of the distances, where these have to grow.
+    /// Factor on the distances, where these must grow.
     pub(super) apart: f64,
 }
 
@@ -41,7 +41,7 @@ impl Sketch {
         Some(Self { marks: marks.into_iter().enumerate().filter(inside).collect(), duty })
     }
 
-    /// Puts it into the document.
+    /// Writes the sketch into the document.
     pub(super) fn write(self, document: &mut Document, layer: usize) {
         let layer = &mut document.layers[layer];
         layer.options.duty = self.duty;
@@ -50,7 +50,8 @@ impl Sketch {
         }
     }
 
-    /// Changed from `asked` toward the nearest attributes in `answer`, and `farther`.
+    /// The sketch, changed from the attributes `asked` toward the nearest attributes in `answer`, and beyond them by
+    /// `farther`.
     pub(super) fn toward(
         self,
         asked: &Attributes,
@@ -85,7 +86,7 @@ impl Sketch {
         let centers: Vec<[f64; 2]> = self.marks.iter().map(|(_, mark)| mark.center()).collect();
         let reaches: Vec<[f64; 2]> = self.marks.iter().map(|(_, mark)| reach_of(mark, area.sqrt())).collect();
         let moved = spaced(&centers, &reaches, apart, layout, place).unwrap_or_else(|| {
-            // No room to move apart: smaller marks have the same density.
+            // Where there is no room to move them apart, smaller marks give the same density.
             area /= apart * apart;
             centers.clone()
         });

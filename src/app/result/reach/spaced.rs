@@ -13,8 +13,8 @@ pub(super) fn reach_of(mark: &Mark, factor: f64) -> [f64; 2] {
     [0, 1].map(|axis| 0.5 * factor * (extent[1][axis] - extent[0][axis]))
 }
 
-/// The centres scaled by `by` about the centre of their region; `None` where they do not fit into it. A mark that was whole on
-/// the canvas stays so: `reaches` is half the width and height of each.
+/// The centres, scaled by `by` about the centre of their region; `None` where they do not fit into it. A mark that was
+/// wholly on the canvas stays wholly on it: `reaches` is half the width and height of each mark.
 pub(super) fn spaced(
     centers: &[[f64; 2]],
     reaches: &[[f64; 2]],
@@ -30,7 +30,7 @@ pub(super) fn spaced(
     for axis in 0..2 {
         let side = layout.size[axis] / layout.grid[axis] as f64;
         let [low, high] = [-0.5, 0.5].map(|half| midpoint[axis] + half * side);
-        // How far each centre is from the limit below it, and from the one above it.
+        // How far each centre is from its lower limit, and from its upper one.
         let mut room = [f64::INFINITY; 2];
         for ((before, after), reach) in centers.iter().zip(&moved).zip(reaches) {
             let (before, after, reach) = (before[axis], after[axis], reach[axis]);

@@ -1,17 +1,17 @@
-//! The form of a table: what stands between its cells, and in its numbers.
+//! The form of a table: the separators between its cells, and the decimal signs in its numbers.
 
 use std::io::{self, BufRead, BufReader, Chain, Cursor, Read};
 
-/// A table whose beginning was looked at.
+/// A table whose beginning has been read.
 pub(super) type Begun<R> = Chain<Cursor<Vec<u8>>, BufReader<R>>;
 
-/// Bytes in which the first line ends.
+/// The most bytes in which the first line is looked for.
 const LONGEST: u64 = 1 << 20;
 
 /// How a table is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Form {
-    /// What stands between cells: a comma, a semicolon or a tab.
+    /// The separator between cells: a comma, a semicolon or a tab.
     pub delimiter: u8,
     /// Lines before the header.
     pub skipped: u64,
@@ -23,7 +23,7 @@ impl Form {
         self.delimiter != b','
     }
 
-    /// A number with a decimal point in place of its only comma.
+    /// A number whose only comma is replaced by a decimal point.
     pub fn with_point(self, text: &str) -> String {
         let is_decimal = self.may_have_commas() && text.matches(',').count() == 1 && !text.contains('.');
         if is_decimal { text.replace(',', ".") } else { text.to_owned() }
@@ -44,7 +44,7 @@ pub(super) fn begun<R: Read>(input: R) -> io::Result<(Form, Begun<R>)> {
         }
         header => {
             let count = |byte: &u8| header.iter().filter(|other| *other == byte).count();
-            // Of equally many the comma.
+            // Where both are equally frequent, the comma.
             let delimiter = [b'\t', b';', b','].into_iter().max_by_key(count).unwrap_or(b',');
             Form { delimiter, skipped: 0 }
         }

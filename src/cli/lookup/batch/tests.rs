@@ -3,7 +3,7 @@
 use super::*;
 use crate::cli::lookup::answer_table;
 
-/// The table of the answers to the one in `bytes`.
+/// The table with the answers to the questions in `bytes`.
 fn answer(bytes: &[u8]) -> Result<Vec<u8>, Error> {
     let mut answers = Vec::new();
     answer_table(Training::built_in(), "q.csv", bytes, &mut answers).map(|()| answers)
@@ -150,7 +150,7 @@ fn a_table_with_semicolons_and_decimal_commas_is_answered_in_its_form() {
 #[test]
 fn stripes_are_asked_of_the_system_that_grows_them() {
     let rows = table("system,width,angle,duty\nstripes,8,20,0.3\nmeinhardt-lines,8,20,0.3\nstripes,8,20,\n");
-    // Parameters: those of the system, which the note names.
+    // The parameters are those of the system that the note names.
     assert_eq!(rows[1][4..11], rows[2][4..11]);
     let note = rows[0].iter().position(|name| name == "note").expect("a column");
     let notes: Vec<&str> = rows[1..].iter().map(|row| row[note].as_str()).collect();

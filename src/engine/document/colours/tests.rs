@@ -25,7 +25,7 @@ pub(in crate::document) fn any_colours() -> impl Strategy<Value = Colours> {
     })
 }
 
-/// The colour over black: what is transparent has any colour.
+/// The colour over black, since the colour of a transparent stop does not matter.
 fn seen(colours: &Colours, v: f32) -> [u8; 3] {
     let [red, green, blue, alpha] = colours.gradient().rgba(v).map(u32::from);
     [red, green, blue].map(|channel| (channel * alpha / 255) as u8)
@@ -127,7 +127,7 @@ proptest! {
             for (v, back) in [0.0_f32, 0.25, 0.5, 0.8].into_iter().zip(back) {
                 let there = seen(&colours, v);
                 let off = (0..3).map(|i| there[i].abs_diff(back[i])).max().unwrap_or(0);
-                // 1 − v is not exact, and the steepest ways turn that into more.
+                // 1 − v is rounded, and steep transitions enlarge the error.
                 prop_assert!(off <= 8, "{v}: {there:?} {back:?}");
             }
         }

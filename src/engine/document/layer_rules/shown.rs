@@ -87,7 +87,7 @@ impl fmt::Display for Beneath {
     }
 }
 
-/// The systems that grow such layers, within a sentence.
+/// The names of the systems of some families, as a part of a sentence.
 fn one_of(is_meant: impl Fn(Family) -> bool) -> String {
     let nouns = SYSTEMS.iter().filter(|system| is_meant(system.kind)).map(|system| system.noun);
     let nouns: Vec<&str> = nouns.collect();

@@ -1,4 +1,4 @@
-//! The table of rules: those about kinds of layers, and those that descriptions of systems give.
+//! The table of rules: rules about kinds of layers, and rules that follow from the descriptions of systems.
 
 use std::sync::LazyLock;
 
@@ -39,19 +39,19 @@ const AROUND: &[After] = &[After::Around, After::Net];
 const INSIDE: &[After] = &[After::Inside];
 const PLACED: &[After] = &[After::Around, After::Net, After::Inside];
 
-/// Of an option that a system does not list among those it takes.
+/// Reason for options that are not in the list of a system.
 const NOT_TAKEN: &str = "This system does not take this option";
 
-/// Of the options of layers that a picture drives.
-const TONE_DECIDES: &str = "The tone of the picture says how large marks are";
+/// Reason for options of layers that a picture drives.
+const TONE_DECIDES: &str = "The tone of the picture determines the size of marks";
 
-/// Of ragged edges.
+/// Reason for ragged edges of other marks.
 const NO_RAGGED: &str = "Only patches and the spots and stripes of reaction and diffusion have ragged edges";
 
-/// Of ragged edges of what a picture drives.
+/// Reason for ragged edges of layers that a picture drives.
 const DRIVEN_EDGES: &str = "The edges of marks that a picture drives carry its details";
 
-/// Which `after` goes with which marks and layers beneath, and what the lowest layer alone has.
+/// Rules about `after`, by the layer's marks and the layer beneath, and about keys that only the lowest layer has.
 fn about_after() -> Vec<Rule> {
     vec![
         grown(
@@ -77,23 +77,23 @@ fn about_after() -> Vec<Rule> {
         grown(
             Key::After(PLACED),
             Above(Beneath::Pairs),
-            "Rings, webs and spots inside follow marks that stand apart; those of pairs of morphogens meet",
+            "Rings, webs and spots inside need separate marks beneath; marks of pairs of morphogens touch each other",
         ),
         grown(
             Key::After(PLACED),
             Above(Beneath::Areas),
-            "Rings, webs and spots inside follow the spots of a reaction-diffusion system; scattered points make the layer beneath",
+            "Rings, webs and spots inside need the spots of a reaction-diffusion system beneath; that layer is made from scattered points",
         ),
         grown(
             Key::After(PLACED),
             Above(Beneath::Tone),
-            "Rings, webs and spots inside follow marks of the sizes that are asked for; a picture gives those of the layer beneath all sizes",
+            "Rings, webs and spots inside need marks of given sizes beneath; a picture gives the marks of that layer all sizes",
         ),
-        grown(Key::Tone, NotLowest, "A picture drives the lowest layer, which has the whole canvas"),
+        grown(Key::Tone, NotLowest, "A picture needs the whole canvas, which only the lowest layer has"),
     ]
 }
 
-/// Which systems go with which marks and `after`, with the reasons in the descriptions of single systems.
+/// Rules for systems with certain marks and `after`; the reasons are in the descriptions of single systems.
 fn about_systems() -> Vec<Rule> {
     let lowest_alone =
         SYSTEMS.iter().filter_map(|system| Some(grown(Key::System(system), NotLowest, system.lowest_alone?)));
@@ -159,7 +159,7 @@ fn about_options_of_stripes() -> Vec<Rule> {
         read(
             Key::Option(OptionKey::Seeding),
             Condition::After(PLACED),
-            "The marks of the layer beneath say where these grow",
+            "The marks of the layer beneath determine the places of these marks",
         ),
         read(
             Key::Option(OptionKey::Seeding),
@@ -181,7 +181,7 @@ fn about_options_of_stripes() -> Vec<Rule> {
         grown(
             Key::Option(OptionKey::Duty),
             Condition::After(AROUND),
-            "The marks of the layer beneath say how far apart rings and webs are",
+            "The marks of the layer beneath determine the distance of rings and webs",
         ),
         read(
             Key::Option(OptionKey::Duty),
@@ -196,7 +196,7 @@ fn about_options_of_stripes() -> Vec<Rule> {
     ]
 }
 
-/// The options about what was drawn.
+/// Rules about options that concern the drawn marks.
 fn about_drawn_marks() -> Vec<Rule> {
     vec![
         read(
@@ -204,28 +204,28 @@ fn about_drawn_marks() -> Vec<Rule> {
             Condition::After(&[After::Between, After::Net, After::Inside]),
             "Only rings can be broken",
         ),
-        read(Key::Option(OptionKey::Keep), Driven, "The picture says where marks grow, and how large"),
+        read(Key::Option(OptionKey::Keep), Driven, "The picture determines the places and sizes of marks"),
         read(
             Key::Option(OptionKey::Keep),
             Condition::After(PLACED),
-            "The marks of the layer beneath say where these grow",
+            "The marks of the layer beneath determine the places of these marks",
         ),
         read(Key::Option(OptionKey::Keep), NotTaken(OptionKey::Keep), NOT_TAKEN),
     ]
 }
 
-/// Maps, those that single systems refuse or own among them.
+/// Rules about maps, including the maps that single systems refuse or own.
 fn about_maps() -> Vec<Rule> {
     let mut rules = vec![
         read(
             Key::Maps(MapKey::OF_MARKS.to_vec()),
             Driven,
-            "The picture says how large marks are, where, and in which direction",
+            "The picture determines the size, place and direction of marks",
         ),
         grown(
             Key::Maps(MapKey::OF_MARKS.to_vec()),
             Condition::After(PLACED),
-            "The marks of the layer beneath say where these grow, and in which size",
+            "The marks of the layer beneath determine the places and sizes of these marks",
         ),
     ];
     rules.extend(SYSTEMS.iter().flat_map(|system| refused(system)));
@@ -239,7 +239,7 @@ fn about_maps() -> Vec<Rule> {
     rules
 }
 
-/// Maps that do not go with the marks that the layer grows.
+/// Rules about maps that do not go with the marks that the layer grows.
 fn about_maps_of_marks() -> [Rule; 7] {
     [
         read(Key::Maps(vec![MapKey::Growth]), Driven, "The growth follows the tone of the picture"),
@@ -256,7 +256,7 @@ fn about_maps_of_marks() -> [Rule; 7] {
         read(
             Key::Maps(vec![MapKey::Spacing]),
             Condition::SystemWithout(Ellipse, |system| system.free_spacing),
-            "The spacing of Turing's spots goes with their area, which can have a map",
+            "The spacing of Turing's spots follows from their area, which can have a map",
         ),
         read(
             Key::Maps(vec![MapKey::Duty]),
@@ -266,7 +266,7 @@ fn about_maps_of_marks() -> [Rule; 7] {
         read(
             Key::Maps(vec![MapKey::Spacing]),
             Condition::Option(OptionKey::Irregular),
-            "The spacing of irregular spots goes with their area, which can have a map",
+            "The spacing of irregular spots follows from their area, which can have a map",
         ),
         read(
             Key::Maps(vec![MapKey::Duty]),
@@ -276,7 +276,7 @@ fn about_maps_of_marks() -> [Rule; 7] {
     ]
 }
 
-/// The rules about what `system` refuses.
+/// Rules for the keys that `system` refuses.
 fn refused(system: &'static Description) -> impl Iterator<Item = Rule> {
     let rules = move |refused: &'static Keys| {
         let keys = Key::all_of(refused.keys).into_iter();
@@ -285,7 +285,7 @@ fn refused(system: &'static Description) -> impl Iterator<Item = Rule> {
     system.refused_keys.iter().flat_map(rules)
 }
 
-/// The rule about the key of this name, where few systems own it.
+/// The rule for the key of this name, if only some systems own it.
 fn owned(name: &str) -> Option<Rule> {
     let mut own = SYSTEMS.iter().flat_map(|system| system.own_keys);
     let (name, reason) =
@@ -293,7 +293,7 @@ fn owned(name: &str) -> Option<Rule> {
     Some(read(Key::named(name)?, NotOwned(name), reason))
 }
 
-/// Ragged edges.
+/// Rules about ragged edges.
 fn about_edges() -> Vec<Rule> {
     vec![
         read(Key::Option(OptionKey::Ragged), Driven, DRIVEN_EDGES),
@@ -316,7 +316,7 @@ impl Key {
         }
     }
 
-    /// The keys of these names, those of maps as one.
+    /// The keys of these names; all maps together are one key.
     fn all_of(names: &[&str]) -> Vec<Self> {
         let (mut maps, mut keys) = (Vec::new(), Vec::new());
         for key in names.iter().filter_map(|name| Self::named(name)) {

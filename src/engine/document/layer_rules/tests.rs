@@ -90,7 +90,7 @@ fn every_rule_can_be_broken() {
             }
         }
     }
-    // Options that every system of today takes where it grows marks that can have them.
+    // Options that every system takes at present if its marks can have them.
     let taken = [OptionKey::Duty, OptionKey::Keep];
     never.retain(|rule| !matches!(rule.condition, Condition::NotTaken(option) if taken.contains(&option)));
     assert!(never.is_empty(), "{never:?}");
@@ -175,7 +175,7 @@ proptest! {
         let once = layer.clone();
         tidy(&mut layer, Some(kind));
         prop_assert_eq!(&layer, &once);
-        // Tidying does not know what lies beneath, and leaves systems that make the lowest layer alone.
+        // Tidying does not know the layer beneath, so it does not change a system that only the lowest layer may have.
         let lowest = layer.system.is_known(|system| system.lowest_alone.is_some());
         let below = if lowest { Beneath::Nothing } else { Beneath::Grows(Ellipse) };
         let combination = Combination::new(&layer, Some(kind), below);

@@ -41,7 +41,7 @@ fn migrate_layer(layer: &mut Map<String, Value>, is_one_region: bool) {
     }
 }
 
-/// The line that an open freehand stroke was in version 1; `None` of any other stroke, and of one that is not allowed.
+/// The line that an open freehand stroke was in version 1; `None` for any other stroke, and of one that is not allowed.
 fn straight(stroke: &Value) -> Option<Value> {
     if stroke["kind"] != "freehand" {
         return None;

@@ -6,8 +6,7 @@ use crate::document::{After, Document, Layer};
 use crate::marks::{Mark, Path};
 
 pub(super) fn notes(document: &Document, layer: &Layer, marks: &[Option<Mark>]) -> Vec<SketchNote> {
-    // Rings and webs follow the marks beneath; only the width of what was drawn counts, and of lines between cells. Threads of a weave
-    // are to cross.
+    // Lines of rings, webs and gaps between cells are drawn for their width alone. Threads of a weave are meant to cross.
     let width_alone = matches!(layer.after, After::Around | After::Net) || layer.system.takes_lines_beside();
     if width_alone || document.pairs_of(layer, marks).is_some() {
         return Vec::new();
@@ -45,8 +44,8 @@ pub(super) fn notes(document: &Document, layer: &Layer, marks: &[Option<Mark>]) 
     notes
 }
 
-/// The strokes to put on a layer of their own so that no two of those that stay cross: each that crosses an earlier one that
-/// stays.
+/// The strokes to move to a layer of their own so that no two of the others cross: every stroke that crosses an earlier one that
+/// remains.
 #[must_use]
 pub fn crossing_strokes(marks: &[Option<Mark>]) -> Vec<usize> {
     let (mut staying, mut moving): (Vec<Path>, Vec<usize>) = (Vec::new(), Vec::new());

@@ -1,6 +1,6 @@
-//! What will not grow as it was drawn, found in the sketch itself: told by `check`, and by the window while one draws.
+//! Properties of a sketch that will not grow as drawn: shown by `check`, and by the window during drawing.
 //!
-//! Each rule has a file of its own. What depends on the systems and on the other layers is told by the plan of a layer.
+//! Each rule has a file of its own. Problems that depend on the systems and on the other layers are noted by the plan of a layer.
 
 mod crossings;
 mod hidden;
@@ -19,22 +19,22 @@ pub use crossings::crossing_strokes;
 pub use outlines::outline_remark;
 pub use sizes::size_groups;
 
-/// Places that a note names in words; the others are counted.
+/// Most places that a note names; the others are counted.
 const NAMED: usize = 6;
 
 /// Something that will not grow as it was drawn, and what to do about it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SketchNote {
-    /// Index of the layer, 0 = the lowest; `None` of the whole document.
+    /// Index of the layer, 0 = the lowest; `None` for the whole document.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub layer: Option<usize>,
     /// Indices of the strokes in that layer.
     pub strokes: Vec<usize>,
-    /// Where on the canvas, px.
+    /// Places on the canvas, px.
     pub places: Vec<[f64; 2]>,
-    /// What will not be as drawn, and the remedy.
+    /// Description of the difference from the drawing, and the remedy.
     pub text: String,
-    /// What will not be as drawn, as numbers.
+    /// The difference from the drawing, as numbers.
     #[serde(skip)]
     pub problem: Problem,
     /// The remedies that dapple can carry out.
@@ -42,7 +42,7 @@ pub struct SketchNote {
     pub remedies: Vec<Remedy>,
 }
 
-/// What in a sketch will not grow as it was drawn.
+/// A property of a sketch that will not grow as it was drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Problem {
     /// All layers are hidden.
@@ -55,7 +55,7 @@ pub enum Problem {
     CrossEachOther,
     /// Spots are narrower than any can be grown: how many, and the aspect of the narrowest.
     Narrow {
-        /// How many.
+        /// Number of spots.
         spots: usize,
         /// Minor ÷ major radius of the narrowest.
         least: f64,
@@ -104,7 +104,7 @@ pub enum Remedy {
 }
 
 impl fmt::Display for SketchNote {
-    /// With layer and strokes as in other messages: `layers[0].strokes[3]: …`.
+    /// Writes the note with its layer and strokes, as in other messages: `layers[0].strokes[3]: …`.
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         if let Some(layer) = self.layer {
             let named: Vec<String> = self.strokes.iter().take(NAMED).map(usize::to_string).collect();
@@ -122,7 +122,8 @@ pub fn notes_on(document: &Document) -> Vec<SketchNote> {
     sketch_notes(document, &marks.collect::<Vec<_>>())
 }
 
-/// All notes on a sketch whose strokes have been fitted; `marks` are those of its strokes, by layer, `None` of a stroke that is no mark.
+/// All notes on a sketch whose strokes have been fitted; `marks` are the marks of its strokes, by layer; `None` for a stroke that
+/// is no mark.
 #[must_use]
 pub fn sketch_notes(document: &Document, marks: &[Vec<Option<Mark>>]) -> Vec<SketchNote> {
     let mut notes: Vec<SketchNote> = hidden::note(document).into_iter().collect();

@@ -5,7 +5,8 @@ use crate::document::{Layer, Stroke};
 use crate::marks::Ellipse;
 use crate::sketch::difference_from_ellipse;
 
-/// The share of its area by which an outline may differ. Round outlines drawn by hand differ by 0.02–0.08, a hexagon by 0.08,
+/// The largest share of its area by which an outline may differ. Round outlines drawn by hand differ by 0.02–0.08, a hexagon by
+/// 0.08,
 /// a square by 0.18.
 const MOST: f64 = 0.12;
 
@@ -18,7 +19,7 @@ pub(super) fn notes(layer: &Layer) -> Vec<SketchNote> {
     layer.strokes.iter().enumerate().filter_map(note).collect()
 }
 
-/// What is told of a freehand stroke whose outline is far from the ellipse that it is read as.
+/// The remark on a freehand stroke whose outline is far from the ellipse that it is read as.
 #[must_use]
 pub fn outline_remark(points: &[[f64; 2]]) -> Option<String> {
     far_outline(points).map(|(_, share)| in_words(share))

@@ -3,15 +3,15 @@
 use super::{Problem, Remedy, SketchNote};
 use crate::marks::{Ellipse, Mark};
 
-/// The fewest spots of which groups are sought, and the fewest of a group: fewer are single odd ones.
+/// The fewest spots among which groups are sought, and the fewest spots of a group. Fewer are outliers.
 const FEWEST: [usize; 2] = [6, 2];
 /// The least ratio of area between the smallest spot of one group and the largest of the other.
 const GAP: f64 = 2.0;
 /// The least distance of the means ÷ the root mean square of the two standard deviations, of ln area. Above 2 two groups are
 /// cleanly apart (Ashman, Bird, Zepf, "Detecting bimodality in astronomical datasets", Astron. J. 108 (1994)).
 const APART: f64 = 4.0;
-/// The least share of the smaller group whose nearest neighbour is of the other: groups in two parts of the canvas are no
-/// mixture, but a change of size from here to there.
+/// The least share of the smaller group whose nearest neighbour is of the other group. Groups in two parts of the canvas are a
+/// change of size across the canvas, not a mixture.
 const MIXED: f64 = 0.25;
 
 pub(super) fn note(marks: &[Option<Mark>]) -> Option<SketchNote> {
@@ -60,7 +60,7 @@ fn mean_and_variance(values: &[f64]) -> (f64, f64) {
     (mean, values.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / n)
 }
 
-/// Whether the ellipses before `at` and those from there on stand among each other.
+/// Whether the ellipses before index `at` are mixed with the others on the canvas.
 fn is_mixed(ellipses: &[(usize, Ellipse)], at: usize) -> bool {
     let squared = |a: &Ellipse, b: &Ellipse| {
         let [x, y] = [a.center[0] - b.center[0], a.center[1] - b.center[1]];

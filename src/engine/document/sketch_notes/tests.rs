@@ -21,7 +21,7 @@ fn outline(radius: impl Fn(f64) -> f64) -> Stroke {
 }
 
 #[test]
-fn hidden_layers_are_told_where_none_is_left() {
+fn hidden_layers_are_noted_if_no_layer_is_visible() {
     let spot = || Layer::new([Stroke::ellipse([50.0, 50.0], [9.0, 7.0], 0.0)]);
     let told = notes(vec![spot().hidden(), spot().hidden()]);
     assert!(matches!(&told[..], [note] if note.text.starts_with("all layers are hidden")), "{told:?}");
@@ -45,7 +45,7 @@ fn an_outline_far_from_an_ellipse_is_told_with_how_far() {
     assert!((30.0..60.0).contains(&per_cent), "{note}");
     let spiral = Stroke::Freehand { points: spiral, width: 6.0 };
     let told = notes(vec![Layer::new([spiral.clone()])]);
-    // A spiral whose turns are apart is an open path, or else an outline that is told.
+    // A spiral whose windings are apart is read as an open path, or as an outline with a note.
     let is_open = matches!(&spiral, Stroke::Freehand { points, .. } if matches!(recognise(points, 6.0), Some(Mark::Path(_))));
     assert!(is_open || told.len() == 1, "{told:?}");
 }

@@ -1,5 +1,5 @@
-//! A system that exists in tests alone: its description and a line in the list are all that there is of it, and it is
-//! offered, refused and documented as the others are.
+//! A system that exists in tests alone, by its description and a line in the list. It is offered, refused and documented as the
+//! other systems are.
 
 use crate::attributes::system::{Description, Family, Keys};
 use crate::document::layer_rules::{Beneath, Combination, RULES, Rule};
@@ -25,7 +25,7 @@ pub(super) static MADE_UP: Description = Description {
 
 const CHOICE: SystemChoice = SystemChoice::Of(&MADE_UP);
 
-/// A document of one ellipse or line, and what else its layer says.
+/// A document of one ellipse or line; `more` are other keys of its layer.
 fn document(stroke: &str, more: &str) -> String {
     let layer = format!(r#"{{"system": "made-up", "strokes": [{stroke}]{more}}}"#);
     format!(r#"{{"format": "dapple", "version": 2, "size": [128, 128], "layers": [{layer}]}}"#)
@@ -61,7 +61,7 @@ fn a_document_of_it_is_read_as_it_was_written() {
 }
 
 #[test]
-fn what_it_does_not_go_with_is_refused_with_its_own_reasons() {
+fn what_it_refuses_is_refused_with_its_own_reasons() {
     assert!(refused(&document(LINE, "")).contains("This system grows spots; this layer holds lines"));
     let noise = r#", "maps": {"direction": {"noise": {"size": 40, "range": [0, 20]}}}"#;
     assert!(refused(&document(ELLIPSE, noise)).contains(NO_DIRECTION));

@@ -4,7 +4,7 @@ use crate::attributes::system::Family;
 use crate::document::{AreaKind, LineKind, MapKey, OptionKey};
 
 #[test]
-fn descriptions_are_told_apart_and_name_keys_that_there_are() {
+fn descriptions_are_distinct_and_name_existing_keys() {
     for system in SYSTEMS {
         assert_eq!(named(system.name), Some(system), "two are called {}", system.name);
         assert!(system.option_keys.iter().all(|key| OptionKey::ALL.iter().any(|one| one.name() == *key)));
@@ -31,7 +31,7 @@ fn systems_that_own_a_key_together_give_one_reason() {
 }
 
 #[test]
-fn each_system_is_known_to_what_grows_it() {
+fn each_system_belongs_to_its_family() {
     let real = || SYSTEMS.iter().copied().filter(|system| **system != MADE_UP);
     assert!(of_parameters().eq(System::ALL.into_iter().map(System::description)));
     for system in real() {

@@ -21,15 +21,15 @@ pub struct Baker<'a> {
     surface: &'a Surface,
     /// The triangles of the atlas in the coordinates of the surface.
     mesh: Mesh,
-    layers: Vec<Layer<'a>>,
+    layers: Vec<Layer>,
     open: Vec<f32>,
     /// The mean side of a texel on the surface.
     side: f64,
 }
 
 /// A field of values by vertex of the surface.
-struct Layer<'a> {
-    values: &'a [f32],
+struct Layer {
+    values: Vec<f32>,
     slopes: Vec<Vector>,
 }
 
@@ -80,12 +80,13 @@ impl<'a> Baker<'a> {
         texels: Texels,
         surface: &'a Surface,
         to_surface: &dyn Fn([f64; 3]) -> [f64; 3],
-        layers: &[&'a [f32]],
+        layers: &[&[f32]],
         open: Vec<f32>,
     ) -> Self {
         let positions = atlas.mesh.positions.iter().map(|at| to_surface(*at)).collect();
         let mesh = Mesh { positions, faces: atlas.mesh.faces.clone() };
-        let layer = |values: &&'a [f32]| Layer { values, slopes: slopes(&surface.mesh, values) };
+        let layer =
+            |values: &&[f32]| Layer { values: values.to_vec(), slopes: slopes(&surface.mesh, values) };
         let in_picture: f64 = (0..mesh.faces.len())
             .map(|face| {
                 let [a, b, c] = atlas.in_picture(face, texels.size);

@@ -1,9 +1,9 @@
-//! Where a model is seen from.
+//! The view of a model: direction, size of the picture, and perspective.
 
 use super::vector::{Vector, dot, minus, plus};
 use crate::surface::Mesh;
 
-/// From where a model is looked at, and the size of the picture. The whole model is in the picture.
+/// A direction of view and the size of the picture. The whole model is in the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// Degrees around the upward axis: at 0 x points to the right and the viewer is at +z (with y up), at 90 the viewer is at +x.
@@ -21,7 +21,7 @@ pub struct View {
 }
 
 impl View {
-    /// A view of a picture of so many px, on a light gray ground with a shadow.
+    /// A view for a picture of this size in px, on a light gray ground with a shadow.
     #[must_use]
     pub fn new(azimuth: f64, elevation: f64, size: [u32; 2]) -> Self {
         Self { azimuth, elevation, size, background: Some([0.76; 3]), shadow: true, turns: false }
@@ -30,7 +30,7 @@ impl View {
 
 /// Half the angle of view along the longer side, as its tangent: 14 degrees.
 const HALF_ANGLE: f64 = 0.25;
-/// How much of each side stays free around the model.
+/// Share of each side that stays free around the model.
 const MARGIN: f64 = 0.07;
 
 /// A perspective camera that has the whole model in its picture.
@@ -38,7 +38,7 @@ pub struct Camera {
     /// Rightward, upward, and toward the viewer.
     pub axes: [Vector; 3],
     pub eye: Vector,
-    /// px a unit of length at distance 1.
+    /// px for a unit of length at distance 1.
     scale: f64,
     middle: [f64; 2],
 }
@@ -67,7 +67,7 @@ impl Camera {
         }
         let needed = [0, 1].map(|axis| (reach[axis][0] + reach[axis][1]) / (2.0 * tangents[axis]));
         let mut distance = needed[0].max(needed[1]);
-        // Not in the model if that is a point, or nothing.
+        // The middle of the box is behind the camera only if the model is a point or empty.
         distance = if distance > nearest { distance } else { nearest + 1.0 };
         let [x, y] = [0, 1].map(|axis| 0.5 * (reach[axis][1] - reach[axis][0]));
         let eye = [(x, axes[0]), (y, axes[1]), (distance, axes[2])]
@@ -76,7 +76,7 @@ impl Camera {
         Self { axes, eye, scale, middle: size.map(|side| 0.5 * side) }
     }
 
-    /// Where a place is seen, px from the upper left corner, and 1 ÷ its depth.
+    /// Position of a place in the picture, px from the upper left corner, and 1 ÷ its depth.
     pub fn seen(&self, place: Vector) -> [f64; 3] {
         let from = minus(place, self.eye);
         let near = -1.0 / dot(from, self.axes[2]);
@@ -89,7 +89,7 @@ impl Camera {
         1.0 / (self.scale * near)
     }
 
-    /// The direction in which a point of the picture is seen; not of length 1.
+    /// The direction from the eye to a point of the picture; not of length 1.
     pub fn ray(&self, [x, y]: [f64; 2]) -> Vector {
         let forward = self.axes[2].map(|value| -value);
         let right = plus(forward, (x - self.middle[0]) / self.scale, self.axes[0]);
@@ -163,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ray_goes_to_what_is_seen_there() {
+    fn a_ray_passes_through_the_place_seen_in_its_point() {
         let camera = Camera::new(&View::new(30.0, 40.0, [200, 100]), &[[-1.0; 3], [1.0; 3]]);
         let place = [0.3, -0.2, 0.7];
         let [x, y, near] = camera.seen(place);
@@ -172,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn a_point_and_nothing_have_a_camera() {
+    fn a_single_point_and_an_empty_model_have_a_camera() {
         for places in [&[][..], &[[2.0; 3]], &[[f64::NAN; 3]]] {
             let camera = Camera::new(&View::new(0.0, 0.0, [10, 10]), places);
             assert!(places.iter().all(|place| place[0].is_nan() || camera.seen(*place)[2] > 0.0));

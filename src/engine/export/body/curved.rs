@@ -1,5 +1,5 @@
-//! Values between vertices: cubic triangles with the slopes at the vertices (as the normals of Vlachos et al. 2001), so that level
-//! lines are smooth curves although triangles are flat.
+//! Values between vertices: cubic triangles with the slopes at the vertices (as the normals of Vlachos et al. 2001). Level lines
+//! are therefore smooth curves although the triangles are flat.
 
 use super::vector::{Vector, cross, dot, minus, plus};
 use crate::surface::Mesh;
@@ -14,7 +14,7 @@ pub fn slopes(mesh: &Mesh, values: &[f32]) -> Vec<Vector> {
         if !(twice_area > 0.0 && twice_area.is_finite()) {
             continue;
         }
-        // Twice the area times the slope: the sum of values times the opposite sides, turned by a right angle.
+        // Twice the area times the slope: the sum of the values times the opposite sides, rotated by a right angle.
         let sides = [minus(c, b), minus(a, c), minus(b, a)];
         let slope = (0..3).fold([0.0; 3], |sum, at| {
             plus(sum, f64::from(values[face[at] as usize]) / twice_area, cross(normal, sides[at]))

@@ -1,6 +1,6 @@
 //! Models → a picture, by a z-buffer with 16 samples a px.
 //!
-//! Bands of rows are drawn in parallel, and what is in a band does not depend on the others.
+//! Bands of rows are drawn in parallel; each band is independent of the others.
 
 use std::ops::Range;
 
@@ -57,14 +57,14 @@ pub fn draw(parts: &[Painted], view: &View) -> Picture {
     Picture { size, rgba }
 }
 
-/// Steps of linear light for which the codes are tabulated.
+/// Number of values of linear light for which the 8-bit codes are tabulated.
 const CODES: usize = 1 << 15;
 
 fn code_of(light: f64) -> u8 {
     (255.0 * srgb_from_linear(light)).round() as u8
 }
 
-/// The triangles that each band of rows may show, in order.
+/// The triangles that may appear in each band of rows, in order.
 fn bins(scene: &Scene, bands: usize) -> Vec<Vec<u32>> {
     let mut bins = vec![Vec::new(); bands];
     let height = (SAMPLES * BAND) as f64;
@@ -80,7 +80,7 @@ fn bins(scene: &Scene, bands: usize) -> Vec<Vec<u32>> {
     bins
 }
 
-/// Gives each px of some rows, counted from the first of them, its light multiplied by its opacity, and its opacity.
+/// For each px of some rows, counted from the first row: its light multiplied by its opacity, and its opacity.
 fn draw_band(scene: &Scene, rows: Range<usize>, triangles: &[u32], mut set: impl FnMut(usize, [f64; 4])) {
     let width = scene.view.size[0] as usize;
     let mut samples = Samples::new(SAMPLES * width, SAMPLES * rows.start..SAMPLES * rows.end);
@@ -206,7 +206,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_and_corners_that_are_no_numbers_leave_the_background() {
+    fn an_empty_model_and_corners_that_are_no_numbers_leave_the_background() {
         let view = View::new(0.0, 10.0, [30, 20]);
         let empty = draw(&[], &view);
         assert!(empty.rgba.chunks(4).all(|px| px == &empty.rgba[..4]));

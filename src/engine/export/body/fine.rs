@@ -7,38 +7,44 @@ use super::curved::slopes;
 use super::vector::{Vector, dot, minus, plus, unit};
 use crate::surface::{Mesh, edges};
 
-/// How far new vertices move towards the tangent planes of the ends of their edge: the paper's ¾.
+/// Share of the distance to the tangent planes at the ends of an edge by which its new vertex moves: the paper's ¾.
 const PHONG: f64 = 0.75;
 /// The cosine between the normals of two neighbours below which the edge between them stays straight: 50°.
 const SHARP: f64 = 0.64;
 
-/// A mesh with its normals and a pattern.
+/// A mesh with its normals and patterns.
 #[derive(Clone, Debug)]
 pub struct Fine {
     /// The triangles.
     pub mesh: Mesh,
     /// Normals by vertex.
     pub normals: Vec<Vector>,
-    /// The pattern by vertex.
-    pub pattern: Vec<f32>,
+    /// The patterns by vertex, one a layer.
+    pub patterns: Vec<Vec<f32>>,
 }
 
 impl Fine {
     /// This body with each triangle split in four.
     #[must_use]
     pub fn split(&self) -> Self {
-        let slopes = slopes(&self.mesh, &self.pattern);
         let (edges, sides) = edges(&self.mesh.faces);
         let mut fine = self.clone();
         for [a, b] in &edges {
             let [a, b] = [*a as usize, *b as usize];
-            let (from, to) = (self.mesh.positions[a], self.mesh.positions[b]);
-            let way = minus(to, from);
-            let bent = dot(slopes[a], way) - dot(slopes[b], way);
-            let value = 0.5 * f64::from(self.pattern[a] + self.pattern[b]) + 0.125 * bent;
-            fine.pattern.push(value.clamp(0.0, 1.0) as f32);
             fine.normals.push(unit(plus(self.normals[a], 1.0, self.normals[b])));
             fine.mesh.positions.push(self.middle([a, b]));
+        }
+        for pattern in &mut fine.patterns {
+            let slopes = slopes(&self.mesh, pattern);
+            let middle = |[a, b]: &[u32; 2]| {
+                let [a, b] = [*a as usize, *b as usize];
+                let way = minus(self.mesh.positions[b], self.mesh.positions[a]);
+                let bent = dot(slopes[a], way) - dot(slopes[b], way);
+                let value = 0.5 * f64::from(pattern[a] + pattern[b]) + 0.125 * bent;
+                value.clamp(0.0, 1.0) as f32
+            };
+            let middles: Vec<f32> = edges.iter().map(middle).collect();
+            pattern.extend(middles);
         }
         let first = self.mesh.positions.len() as u32;
         let quarters = |([a, b, c], sides): (&[u32; 3], &[u32; 3])| {
@@ -82,8 +88,8 @@ mod tests {
         ];
         let faces =
             vec![[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
-        let pattern = positions.iter().map(|at| value(*at) as f32).collect();
-        Fine { normals: positions.clone(), pattern, mesh: Mesh { positions, faces } }
+        let patterns = vec![positions.iter().map(|at| value(*at) as f32).collect()];
+        Fine { normals: positions.clone(), patterns, mesh: Mesh { positions, faces } }
     }
 
     #[test]
@@ -92,7 +98,7 @@ mod tests {
         let fine = coarse.split();
         assert_eq!((fine.mesh.faces.len(), fine.mesh.positions.len()), (32, 18));
         assert_eq!(fine.mesh.positions[..6], coarse.mesh.positions[..]);
-        assert!(fine.pattern.iter().all(|value| *value == 0.5));
+        assert!(fine.patterns[0].iter().all(|value| *value == 0.5));
     }
 
     #[test]
@@ -123,14 +129,14 @@ mod tests {
             [[a, b, c], [a, c, d]]
         });
         let mesh = Mesh { faces: faces.collect(), positions };
-        let pattern = mesh.positions.iter().map(|[x, _, _]| square(*x) as f32).collect();
-        let coarse = Fine { normals: vec![[0.0, 0.0, 1.0]; mesh.positions.len()], pattern, mesh };
+        let patterns = vec![mesh.positions.iter().map(|[x, _, _]| square(*x) as f32).collect()];
+        let coarse = Fine { normals: vec![[0.0, 0.0, 1.0]; mesh.positions.len()], patterns, mesh };
         let fine = coarse.split();
         let inner = fine
             .mesh
             .positions
             .iter()
-            .zip(&fine.pattern)
+            .zip(&fine.patterns[0])
             .filter(|([x, y, _], _)| [x, y].iter().all(|c| **c > 1.6 && **c < f64::from(n) - 2.6));
         for ([x, _, _], value) in inner {
             assert!((f64::from(*value) - square(*x)).abs() < 2e-4, "{x}: {value}");

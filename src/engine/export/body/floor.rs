@@ -12,10 +12,10 @@ use super::vector::Vector;
 const SIDE: usize = 96;
 /// The floor's side in radii of the sphere around the model.
 const RADII: f64 = 5.0;
-/// How much of the shadow of the light that the model takes from the floor is shown.
+/// Factor of the shadow: share of the light taken by the model that is really removed from the floor.
 const SHOWN: f64 = 0.85;
 
-/// By square: how much darker it is, 0..1.
+/// For each square, the relative decrease of the light, 0..1.
 pub struct Floor {
     pub height: f64,
     corner: [f64; 2],
@@ -42,7 +42,7 @@ impl Floor {
         Self { height, corner, side, shadows: squares().map(shadow).collect() }
     }
 
-    /// How much darker a place of the floor is.
+    /// The relative decrease of the light at a place of the floor, 0..1.
     pub fn shadow(&self, place: Vector) -> f64 {
         let [x, z] = [0, 1].map(|axis| (place[2 * axis] - self.corner[axis]) / self.side - 0.5);
         let end = (SIDE - 1) as f64;
@@ -60,7 +60,7 @@ impl Floor {
     }
 }
 
-/// The mean of a square and those around it, so that the few directions of the key light do not show.
+/// The mean of a square and its neighbours, so that the few directions of the key light do not show.
 fn mean_around(values: &[f64], at: usize) -> f64 {
     let near = |at: usize| at.saturating_sub(BLUR)..(at + BLUR + 1).min(SIDE);
     let [columns, rows] = [near(at % SIDE), near(at / SIDE)];
@@ -68,7 +68,7 @@ fn mean_around(values: &[f64], at: usize) -> f64 {
     rows.flat_map(|row| &values[row * SIDE..][columns.clone()]).sum::<f64>() / count
 }
 
-/// Squares on either side over which the key light is averaged.
+/// Number of squares on either side over which the key light is averaged.
 const BLUR: usize = 2;
 
 /// A piece of the model's underside: where it is, its height above the floor, its area.
@@ -78,11 +78,11 @@ struct Roof {
     area: f64,
 }
 
-/// The underside as squares of a map that is seen from below, at least so high above the floor.
+/// The underside of the model as squares of a map seen from below. Their height above the floor is at least `least`.
 fn roofs(height: f64, least: f64, sphere: Sphere, triangles: &[[Vector; 3]]) -> Vec<Roof> {
     let map = Map::new([0.0, -1.0, 0.0], sphere, triangles);
     let roof = |(place, area): (Vector, f64)| {
-        // What touches the floor has no distance from it: it would darken nothing but the point under it.
+        // Parts that touch the floor have no distance from it: they would darken only the point under them.
         Roof { place: [place[0], place[2]], height: (place[1] - height).max(least), area }
     };
     map.seen(ROOF).map(roof).collect()

@@ -12,7 +12,7 @@ use crate::export::Stopped;
 /// The component type of 32-bit floats, and that of 32-bit indices.
 const FLOAT: u32 = 5126;
 const INDEX: u32 = 5125;
-/// What a view of the buffer holds: attributes of vertices, or indices.
+/// Target of a buffer view: vertex attributes, or indices.
 const ATTRIBUTES: u32 = 34_962;
 const INDICES: u32 = 34_963;
 
@@ -115,7 +115,7 @@ impl File {
         let places: Vec<[f32; 3]> = part.mesh.positions.iter().map(|place| place.map(finite)).collect();
         let mut attributes = Map::new();
         let position = self.floats(&places);
-        // This attribute alone must have its bounds.
+        // Positions are the only attribute that must have bounds.
         self.accessors[position]["min"] = json!(bound(&places, f32::min));
         self.accessors[position]["max"] = json!(bound(&places, f32::max));
         attributes.insert("POSITION".to_owned(), json!(position));
@@ -162,7 +162,7 @@ impl File {
         self.accessor(bytes, ATTRIBUTES, values.len(), [FLOAT.into(), format!("VEC{N}").into()])
     }
 
-    /// Adds bytes with their description; the number of the accessor.
+    /// Adds bytes with their description; returns the index of the accessor.
     fn accessor(
         &mut self,
         bytes: Vec<u8>,
@@ -184,7 +184,7 @@ impl File {
     fn text(&self, buffer: Option<&str>) -> Vec<u8> {
         let generator = format!("dapple {}", env!("CARGO_PKG_VERSION"));
         let mut root = json!({"asset": {"version": "2.0", "generator": generator}});
-        // Lists may not be empty.
+        // The format does not allow empty lists.
         if !self.meshes.is_empty() {
             root["scene"] = json!(0);
             root["scenes"] = json!([{"nodes": (0..self.nodes.len()).collect::<Vec<_>>()}]);

@@ -7,13 +7,13 @@ use std::ops::Range;
 use super::shadow::{Map, Sphere, maps};
 use super::vector::{Vector, cross, dot, plus, unit};
 
-/// Directions of the sky.
+/// Number of directions of the sky.
 const SKY: usize = 40;
-/// Directions of the key light.
+/// Number of directions of the key light.
 const KEY: usize = 16;
 /// The radius of the key light, as a tangent.
 const WIDTH: f64 = 0.22;
-/// The light of the sky on what faces upward, and of the key light on what faces it.
+/// The light of the sky on surfaces that face upward, and of the key light on surfaces that face it.
 pub const STRENGTHS: [f64; 2] = [0.40, 0.78];
 /// The light from the floor, as a share of the sky's.
 const FROM_THE_FLOOR: f64 = 0.36;
@@ -21,7 +21,7 @@ const FROM_THE_FLOOR: f64 = 0.36;
 /// All lights with their shadows.
 pub struct Lights {
     maps: Vec<Map>,
-    /// By map: its light on what faces it.
+    /// For each map, its light on surfaces that face it.
     strengths: Vec<f64>,
     sphere: Sphere,
 }
@@ -61,7 +61,7 @@ impl Lights {
 
     /// The light on a place with this normal.
     pub fn on(&self, place: Vector, normal: Vector) -> f64 {
-        // Off the surface, so that it does not hide itself.
+        // Slightly off the surface, so that the surface does not shade itself.
         let place = plus(place, 1.5 * self.sphere.sample(), normal);
         self.sum(normal, &(0..SKY + KEY), |map| map.reaches(place))
     }

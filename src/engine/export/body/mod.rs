@@ -20,6 +20,7 @@ pub(super) mod raster;
 mod scene;
 mod shadow;
 mod skin;
+mod smooth;
 mod stl;
 pub(super) mod vector;
 
@@ -34,4 +35,5 @@ pub use obj::{mtl, obj};
 pub use paint::{Coloured, Paint, Painted};
 pub use ply::ply;
 pub use skin::{Skin, SkinPicture};
+pub use smooth::Smooth;
 pub use stl::stl;

@@ -1,4 +1,4 @@
-//! What is drawn and written: triangles with colours.
+//! The input of drawing and writing: triangles with colours.
 
 use super::blurred::Blurred;
 use super::mips::Mips;
@@ -23,8 +23,8 @@ pub enum Paint<'a> {
     Plain([f32; 3]),
     /// Colours by vertex, interpolated: edges between colours are as wide as a triangle.
     Colours(&'a [[f32; 3]]),
-    /// Values by vertex, interpolated by cubics, and a colour for each sample of the picture: edges that the colours make of the values
-    /// are sharp and smooth, however large the triangles are.
+    /// Values by vertex, interpolated by cubics, and a colour for each sample of the picture: edges where the colour changes with
+    /// the value are sharp and smooth, for triangles of any size.
     Pattern {
         /// Up to eight fields of values by vertex.
         fields: &'a [&'a [f32]],

@@ -7,8 +7,8 @@ use super::vector::unit;
 use crate::export::{Stopped, srgb_from_linear};
 use crate::surface::Mesh;
 
-/// Writes a `.ply`. The parts become one mesh, because the format has no parts; what only some of them have is filled: normals with 0, texture
-/// coordinates with 0, colours with white. Colours are 8-bit sRGB, as other programs understand them.
+/// Writes a `.ply`. The parts become one mesh, because the format has no parts. Properties that only some of the parts have are
+/// filled: normals with 0, texture coordinates with 0, colours with white. Colours are 8-bit sRGB, which other programs expect.
 ///
 /// # Errors
 /// The bytes cannot be written.
@@ -71,7 +71,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_head_says_what_follows_and_parts_become_one_mesh() {
+    fn the_head_lists_the_properties_and_parts_become_one_mesh() {
         let mesh = Mesh {
             positions: vec![[0.0, 1.0, 2.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
             faces: vec![[0, 1, 2]],

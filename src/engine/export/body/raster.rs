@@ -1,9 +1,9 @@
-//! Which triangle is seen at each sample: a z-buffer.
+//! The visible triangle at each sample: a z-buffer.
 
-/// No triangle.
+/// Index that means "no triangle".
 pub const NONE: u32 = u32::MAX;
 
-/// Corners of a triangle in the picture: x, y in samples, and what is greater for what is nearer, linear in x and y.
+/// Corners of a triangle in the picture: x and y in samples, and a nearness that is larger for nearer places, linear in x and y.
 pub type Corners = [[f64; 3]; 3];
 
 /// Samples of some rows of a picture.
@@ -21,12 +21,12 @@ impl Samples {
         Self { width, rows, triangles: vec![NONE; count], near: vec![f64::NEG_INFINITY; count] }
     }
 
-    /// By sample: how near the nearest triangle is.
+    /// By sample: the nearness of the nearest triangle.
     pub fn near(&self) -> &[f64] {
         &self.near
     }
 
-    /// Draws a triangle, seen from either side. Of several that are equally near the first one stays.
+    /// Draws a triangle, visible from either side. If several are equally near, the first one stays.
     pub fn draw(&mut self, corners: &Corners, triangle: u32) {
         let Some(plane) = Plane::new(corners) else { return };
         let [low, high] = [f64::min as fn(f64, f64) -> f64, f64::max]
@@ -54,11 +54,11 @@ impl Samples {
     }
 }
 
-/// How much of each corner is in a place of the picture: linear functions that add up to 1.
+/// The barycentric coordinates of a place of the picture: linear functions that add up to 1.
 pub struct Plane([[f64; 3]; 3]);
 
 impl Plane {
-    /// `None` if the triangle has no area, or is no triangle of numbers.
+    /// `None` if the triangle has no area, or a coordinate is no number.
     pub fn new([a, b, c]: &Corners) -> Option<Self> {
         let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
         let is_one =

@@ -1,4 +1,4 @@
-//! What is drawn, as it is seen: where triangles are in the picture, their colours and the light on them.
+//! The projected scene: where triangles are in the picture, their colours and the light on them.
 //!
 //! The colour is computed for each sample, so that sharp edges of patterns are smooth; the light once for each triangle in a px.
 
@@ -16,16 +16,16 @@ use super::vector::{Vector, cross, dot, minus, plus, unit};
 
 /// Samples along a side of a px.
 pub const SAMPLES: usize = 4;
-/// Where the normals of a corner and of its triangle differ by more, as cosine, the edge is sharp: 37 degrees.
+/// Cosine of the angle between the normals of a corner and of its triangle below which the edge is sharp: 37 degrees.
 const SHARP: f64 = 0.8;
 /// The most px of a triangle on which the light is interpolated between its corners.
 const SMALL: f64 = 400.0;
 /// The least cosine between a normal and the way to the viewer with which a blur is reckoned: what is seen more aslant is a rim.
 const SLANTING: f64 = 0.2;
-/// The most fields of a pattern; further ones are not read.
+/// The largest number of fields of a pattern; further ones are not read.
 const MOST_FIELDS: usize = 8;
 
-/// A triangle as it is seen.
+/// A projected triangle.
 struct Seen {
     plane: Plane,
     near: [f64; 3],
@@ -36,7 +36,7 @@ impl Seen {
         Some(Self { plane: Plane::new(&corners)?, near: corners.map(|corner| corner[2]) })
     }
 
-    /// The corners' shares in a sample: in perspective those of the flat picture times the corners' nearness.
+    /// The shares of the corners in a sample, in perspective: the shares in the flat picture times the corners' nearness.
     fn shares(&self, sample: [f64; 2]) -> [f64; 3] {
         let [a, b, c] = self.plane.weights(sample);
         let [a, b, c] = [a.max(0.0) * self.near[0], b.max(0.0) * self.near[1], c.max(0.0) * self.near[2]];
@@ -45,7 +45,7 @@ impl Seen {
     }
 }
 
-/// Parts of models with a view of them.
+/// Parts of models, projected for a view.
 pub struct Scene<'a> {
     parts: &'a [Painted<'a>],
     pub view: &'a View,
@@ -56,11 +56,11 @@ pub struct Scene<'a> {
     places: Vec<Vector>,
     normals: Vec<Vector>,
     pub triangles: Vec<[usize; 3]>,
-    /// By vertex: where it is in the picture, in samples.
+    /// By vertex: its position in the picture, in samples.
     seen: Vec<[f64; 3]>,
     /// By part and field: the slopes at the vertices.
     slopes: Vec<Vec<Vec<Vector>>>,
-    /// By vertex: the light on it, seen from outside.
+    /// By vertex: the light on its outer side.
     light: Vec<f64>,
     floor: Option<Floor>,
 }
@@ -223,7 +223,7 @@ impl<'a> Scene<'a> {
         area <= SMALL * (SAMPLES * SAMPLES) as f64
     }
 
-    /// How much darker the floor is in a px.
+    /// The relative decrease of the light on the floor in a px, 0..1.
     pub fn shadow(&self, px: [usize; 2]) -> f64 {
         let Some(floor) = &self.floor else { return 0.0 };
         let ray = self.camera.ray(px.map(|at| at as f64 + 0.5));
@@ -232,7 +232,7 @@ impl<'a> Scene<'a> {
         if is_floor { floor.shadow(plus(self.camera.eye, length, ray)).clamp(0.0, 1.0) } else { 0.0 }
     }
 
-    /// What is in the picture: light that is multiplied by its opacity over the background, or not multiplied without one.
+    /// The colours of the picture. With a background: opaque light. Without one: light that is not multiplied by its opacity.
     pub fn composed(&self, [red, green, blue, opacity]: [f64; 4]) -> [f64; 3] {
         match self.view.background {
             Some(behind) => {
@@ -245,7 +245,7 @@ impl<'a> Scene<'a> {
     }
 }
 
-/// The least and the greatest coordinates; 0 for no places.
+/// The least and the greatest coordinates of places; 0 if there are none.
 fn bounds(places: &[Vector]) -> [Vector; 2] {
     let Some(first) = places.first() else { return [[0.0; 3]; 2] };
     places.iter().fold([*first; 2], |[low, high], place| {

@@ -1,4 +1,4 @@
-//! Whether the model hides a place from a light far away: maps of depth, one for each direction.
+//! Shadows of the model in the light of distant sources: maps of depth, one for each direction.
 
 use rayon::prelude::*;
 
@@ -21,20 +21,20 @@ impl Sphere {
         Self { middle: plus(low, 1.0, half), radius: dot(half, half).sqrt().max(f64::MIN_POSITIVE) }
     }
 
-    /// How long a sample of a map is.
+    /// Side of a sample of a map, in units of length.
     pub fn sample(&self) -> f64 {
         2.0 * self.radius / (SIDE - 4) as f64
     }
 }
 
-/// What the light of one direction meets first.
+/// The first surfaces hit by the light from one direction.
 pub struct Map {
-    /// Across the light.
+    /// Directions across the light.
     axes: [Vector; 2],
-    /// Toward the light.
+    /// Direction toward the light.
     pub toward: Vector,
     sphere: Sphere,
-    /// By sample: the height toward the light of the first thing met, in samples.
+    /// By sample: the height toward the light of the first surface hit, in samples.
     heights: Vec<f32>,
 }
 
@@ -51,7 +51,7 @@ impl Map {
         map
     }
 
-    /// Where in the map a place is, and its height toward the light; in samples.
+    /// Place in the map, and height toward the light; all in samples.
     fn at(&self, place: Vector) -> [f64; 3] {
         let from = minus(place, self.sphere.middle);
         let scale = 1.0 / self.sphere.sample();
@@ -63,7 +63,8 @@ impl Map {
         ]
     }
 
-    /// What is met, in squares of so many samples a side: the mean place of each square and the area across the light.
+    /// The surfaces hit, in squares with `samples` samples along each side: the mean place of each square and its area across the
+    /// light.
     pub fn seen(&self, samples: usize) -> impl Iterator<Item = (Vector, f64)> {
         let squares = SIDE / samples;
         (0..squares * squares).filter_map(move |at| {
@@ -86,7 +87,7 @@ impl Map {
         })
     }
 
-    /// How much of the light reaches a place, 0..1: the mean of the four samples around it.
+    /// The share of the light that reaches a place, 0..1: the mean of the four samples around it.
     pub fn reaches(&self, place: Vector) -> f64 {
         let [x, y, height] = self.at(place);
         let [x, y] = [x - 0.5, y - 0.5];

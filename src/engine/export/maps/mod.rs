@@ -51,7 +51,7 @@ impl Height {
         Self::new(&beyond.flat_map(row).copied().collect::<Vec<_>>(), field.width, margin, field.edges)
     }
 
-    /// Values from one row to the next.
+    /// Distance between the starts of successive rows, in values.
     fn stride(&self) -> usize {
         self.width + 2 * self.margin
     }

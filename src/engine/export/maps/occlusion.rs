@@ -1,11 +1,11 @@
-//! Height → ambient occlusion: how much of the sky each px sees.
+//! Height → ambient occlusion: the share of the sky that is visible from each px.
 //!
 //! ```text
 //! A = 1 − 1/N Σ_θ Σ_d W(d)·(sin h(d) − sin h(d′)),  W(d) = 1 − (d/R)²
 //! ```
 //!
-//! over N directions θ and the distances d at which the horizon h rises above its value at the nearer distance d′. The horizon
-//! starts at the tangent of the surface, so a slope does not occlude itself. tan h = (height at d − height here)/d.
+//! summed over N directions θ and the distances d at which the horizon h rises above its value at the nearer distance d′. The
+//! horizon starts at the tangent of the surface, so a slope does not occlude itself. tan h = (height at d − height here)/d.
 //!
 //! L. Bavoil, M. Sainz, R. Dimitrov, "Image-Space Horizon-Based Ambient Occlusion", SIGGRAPH Talks 2008.
 
@@ -13,13 +13,13 @@ use rayon::prelude::*;
 
 use super::Height;
 
-/// Number of directions. Twice as many change no 8-bit value of the examples by more than 2.
+/// Number of directions. Doubling it changes no 8-bit value of the examples by more than 2.
 const DIRECTIONS: usize = 16;
 /// Ratio of successive distances, from 1 px on.
 const DISTANCE_RATIO: f64 = 1.35;
 
-/// A sample of a ray: its offset in values, its direction and its distance, px. It is the centre of a px, so its direction is
-/// only near that of the ray.
+/// A sample of a ray: its offset in values, its direction and its distance, px. It is the centre of a px, so its direction is only
+/// approximately the direction of the ray.
 struct Sample {
     offset: isize,
     direction: [f32; 2],
@@ -27,14 +27,14 @@ struct Sample {
     weight: f32,
 }
 
-/// How much of the sky each px sees, 0..1: 1 = the whole sky. The margin is at least `radius` px, which is at least 1. The rows
-/// that are left once it is `cancelled` are 0.
+/// The share of the sky that is visible from each px, 0..1: 1 = the whole sky. The margin must be at least `radius` px, and
+/// `radius` at least 1. Rows that are not computed because of a cancellation are 0.
 #[must_use]
 pub fn openness(height: &Height, radius: usize, cancelled: &(dyn Fn() -> bool + Sync)) -> Vec<f32> {
     let rays = rays(radius.max(1), height.stride() as isize);
     let mut open = vec![0.0; height.width * height.rows];
     open.par_chunks_mut(height.width.max(1)).enumerate().for_each(|(y, row)| {
-        // A band of a large radius takes seconds.
+        // A band with a large radius takes seconds.
         if cancelled() {
             return;
         }
@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn flat_ground_and_an_even_slope_are_open_to_all() {
+    fn flat_ground_and_an_even_slope_are_not_occluded() {
         assert!(open(|_, _| 7.0, Edges::Wrap, 12).iter().all(|open| *open == 1.0));
         let slope = open(|x, y| 0.6 * x - 1.3 * y, Edges::Closed, 6);
         assert!((slope[20 * 48 + 24] - 1.0).abs() < 1e-5);
@@ -139,7 +139,7 @@ mod tests {
         // A wall of height 8 begins at x = 30; 4 px before it, radius 20.
         let open = open(|x, _| if x > 30.0 { 8.0 } else { 0.0 }, Edges::Closed, 20);
         let found = open[20 * 48 + 25];
-        // The same by steps of 1/100 px and 1/1000 of a turn.
+        // The same with steps of 1/100 px and 1/1000 of a full circle.
         let mut covered = 0.0;
         for k in 0..1000 {
             let toward = (std::f64::consts::TAU * (f64::from(k) + 0.5) / 1000.0).cos();

@@ -21,9 +21,9 @@ impl Default for Surface {
 /// Replaces patterns by the share of each px that belongs to the marks of each layer, 0..1. All layers have the same number of
 /// px.
 ///
-/// A layer gets what the layers beneath leave free: with P the largest share beneath, pₖ becomes pₖ·w(P),
-/// w(P) = 1 − `smoothstep`(4P − 1): 1 up to P = ¼, 0 from ½ (a mark's edge) on, smooth between. So no map has a step where a
-/// frozen mark ends.
+/// Each layer has only the space that the layers beneath leave free: with P the largest share beneath, pₖ becomes pₖ·w(P), w(P) = 1
+/// − `smoothstep`(4P − 1): 1 up to P = ¼, 0 from ½ (a mark's edge) on, smooth between. Therefore no map has a step where a frozen
+/// mark ends.
 pub fn shares(patterns: &mut [Vec<f32>]) {
     let px = patterns.first().map_or(0, Vec::len);
     for i in 0..px {
@@ -99,7 +99,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_layer_gets_what_the_layers_beneath_leave_free() {
+    fn a_layer_has_the_space_that_the_layers_beneath_leave_free() {
         let mut patterns = vec![vec![0.0, 0.2, 0.375, 0.5, 1.0], vec![0.8; 5]];
         shares(&mut patterns);
         assert_eq!(patterns[0], [0.0, 0.2, 0.375, 0.5, 1.0]);

@@ -58,7 +58,7 @@ pub fn write(
     Ok(())
 }
 
-/// Corner and size of the smallest rectangle with all px that differ; a single px if none does.
+/// Corner and size of the smallest rectangle with all px that differ; a single px if none differ.
 fn changed(before: &[u8], now: &[u8], [width, height]: [usize; 2]) -> ([usize; 2], [usize; 2]) {
     if before.len() != now.len() {
         return ([0, 0], [width, height]);

@@ -1,4 +1,4 @@
-//! Shapes → what a pen draws, in which order.
+//! Shapes → the strokes and areas that a pen draws, in their order.
 
 use kurbo::{BezPath, Point, Shape as _};
 use rayon::prelude::*;
@@ -11,17 +11,17 @@ use super::{Hatch, Shape, hatch};
 /// Accuracy of lengths, px.
 const ACCURACY: f64 = 0.01;
 
-/// How outlines end at the border of the canvas.
+/// Treatment of outlines at the border of the canvas.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Ends {
-    /// Their outlines are closed along it.
+    /// Outlines are closed along the border.
     #[default]
     Closed,
-    /// Their outlines end at it.
+    /// Outlines end at the border.
     Cut,
 }
 
-/// How shapes are drawn.
+/// The way of drawing shapes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Style {
     /// Filled areas.
@@ -30,9 +30,9 @@ pub struct Style {
     pub stroke: bool,
     /// Parallel strokes in the areas.
     pub hatch: Option<Hatch>,
-    /// Width of the pen, px: the hatch stops before the outlines by so much that it has their area.
+    /// Width of the pen, px: hatch lines end so far inside the outlines that the drawn area is the area of the shape.
     pub pen: f64,
-    /// How strokes end at the border.
+    /// Treatment of strokes at the border.
     pub ends: Ends,
     /// Whether to search a short route.
     pub ordered: bool,
@@ -44,7 +44,7 @@ impl Default for Style {
     }
 }
 
-/// What is drawn for one layer.
+/// The drawing of one layer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
     /// The layer's name.
@@ -57,16 +57,16 @@ pub struct Group {
     pub strokes: Vec<BezPath>,
 }
 
-/// How far a pen moves, px. It starts at the canvas' upper left corner; areas count as their outlines.
+/// Distances that a pen moves, px. It starts at the canvas' upper left corner; areas count as their outlines.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Travel {
     /// Number of paths.
     pub paths: usize,
-    /// Distance on the paper.
+    /// Distance with the pen on the paper.
     pub down: f64,
-    /// Distance in the air.
+    /// Distance with the pen lifted.
     pub up: f64,
-    /// Distance in the air if the paths were drawn in the order found.
+    /// Distance with the pen lifted if the paths were drawn in the order found.
     pub up_unordered: f64,
 }
 
@@ -102,7 +102,7 @@ pub fn draw(
 }
 
 impl Travel {
-    /// Such as `412 paths; the pen draws 3.10 m and travels 0.42 m in the air (2.90 m in the order found)`.
+    /// A summary such as `412 paths; the pen draws 3.10 m and travels 0.42 m in the air (2.90 m in the order found)`.
     #[must_use]
     pub fn text(&self, unit: Unit) -> String {
         let length = |px: f64| match unit {
@@ -150,7 +150,7 @@ fn strokes(shapes: &[Shape], size: [f64; 2], style: &Style) -> Vec<BezPath> {
     shapes.par_iter().flat_map_iter(each).collect()
 }
 
-/// Shapes in a short order of their outer boundaries; the holes of each follow its boundary.
+/// Shapes in an order with a short route between their outer boundaries; the holes of each follow its boundary.
 fn ordered(shapes: Vec<Shape>, from: Point) -> Vec<Shape> {
     let (outers, holes): (Vec<BezPath>, Vec<Vec<BezPath>>) =
         shapes.into_iter().map(|shape| (shape.outer, shape.holes)).unzip();

@@ -1,4 +1,4 @@
-//! Outlines → DXF, release 12 (AC1009), which all cutters' programs read.
+//! Outlines → DXF, release 12 (AC1009), which the programs of all cutters read.
 //!
 //! Release 12 has no entry for the unit; a comment names it. Beziers become polylines. y points up in a DXF, so y is flipped.
 
@@ -19,7 +19,7 @@ const LONGEST: usize = 31;
 /// Writes the outlines of areas and the strokes of `groups`, on a canvas of `size` px.
 ///
 /// # Errors
-/// Where `out` cannot be written.
+/// An error of `out`.
 pub fn write(out: &mut impl Write, size: [f64; 2], unit: Unit, groups: &[Group]) -> io::Result<()> {
     let scale = unit.per_px();
     let [width, height] = size.map(|side| side * scale);

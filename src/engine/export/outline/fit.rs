@@ -9,12 +9,12 @@ use kurbo::{BezPath, PathEl, Point, Vec2};
 
 use super::path::borders;
 
-/// Points of a ring from which on a direction is taken over two points on each side, which evens the rounding of single
-/// points out.
+/// Number of points of a ring from which on a direction is computed over two points on each side, to average out the rounding of
+/// single points.
 const MANY: usize = 12;
 
-/// The closed path through the points of a ring on a canvas of `size` px, within about `tolerance` px of them. What lies on
-/// the border is straight.
+/// The closed path through the points of a ring on a canvas of `size` px, within about `tolerance` px of them. Parts on the border
+/// are straight.
 #[must_use]
 pub fn ring(points: &[Point], size: [f64; 2], tolerance: f64) -> BezPath {
     let n = points.len();
@@ -22,7 +22,7 @@ pub fn ring(points: &[Point], size: [f64; 2], tolerance: f64) -> BezPath {
     let Some(first) = (0..n).find(|i| along(*i) && !along(i + 1)) else {
         return if n > 0 && along(0) { frame(points, size) } else { closed_curve(points, tolerance) };
     };
-    // Once round, from where the ring leaves the border.
+    // Once around, starting where the ring leaves the border.
     let mut path = started_at(points[(first + 1) % n]);
     let mut i = first + 1;
     while i < first + 1 + n {
@@ -81,7 +81,7 @@ fn closed_curve(points: &[Point], tolerance: f64) -> BezPath {
     path
 }
 
-/// Adds a smooth curve through `points`, from the first to the last; it has these directions.
+/// Adds a smooth curve through `points`, from the first to the last, with the given directions.
 fn curve(points: &[Point], directions: &[Vec2], tolerance: f64, path: &mut BezPath) {
     let mut spline = started_at(points[0]);
     for (points, directions) in points.windows(2).zip(directions.windows(2)) {
@@ -110,7 +110,7 @@ fn open_directions(points: &[Point]) -> Vec<Vec2> {
     (0..=last).map(at).collect()
 }
 
-/// The direction at the first of three points, towards the second: that of the parabola through them.
+/// The direction at the first of three points, towards the second: the direction of the parabola through them.
 fn end_direction(a: Point, b: Point, c: Point) -> Vec2 {
     let (g, h) = (a.distance(b), b.distance(c));
     if g <= 0.0 || h <= 0.0 {
@@ -120,7 +120,7 @@ fn end_direction(a: Point, b: Point, c: Point) -> Vec2 {
     unit(d - (e - d) * (g / (g + h)))
 }
 
-/// The direction at the middle one of three points: that of the parabola through them.
+/// The direction at the middle one of three points: the direction of the parabola through them.
 fn direction(before: Point, at: Point, after: Point) -> Vec2 {
     let (g, h) = (before.distance(at), at.distance(after));
     if g <= 0.0 || h <= 0.0 {

@@ -40,21 +40,21 @@ impl Hatch {
 
 /// Strokes shorter than this share of the spacing are left out: they would be dots.
 const SHORTEST: f64 = 0.05;
-/// Bisections that find a crossing, to 2⁻⁴⁰ of a segment.
+/// Number of bisections that find a crossing, to 2⁻⁴⁰ of a segment.
 const HALVINGS: usize = 40;
 
-/// Where a line crosses an outline.
+/// A crossing of a line and an outline.
 #[derive(Clone, Copy, Debug)]
 struct Crossing {
     /// Place along the line.
     u: f64,
-    /// du ÷ dv of the outline there: v is the place across the lines.
+    /// du ÷ dv of the outline there: v is the coordinate across the lines.
     slope: f64,
 }
 
-/// The strokes of a shape: the parts in it of parallel lines `spacing` apart. The lines are counted from the canvas' corner, so
-/// the strokes of all shapes are in line. With a `pen` of width 0 they end on the Beziers themselves. A wider pen (px) has round
-/// ends; its strokes stop before the Beziers by so much that they draw as much outside of the shape as they leave free inside.
+/// The strokes of a shape: the parts inside it of parallel lines `spacing` apart. The lines are counted from the canvas' corner, so
+/// the strokes of all shapes are aligned. With a `pen` of width 0 they end on the Beziers themselves. A wider pen (px) has round
+/// ends; its strokes end before the Beziers, so that the area drawn outside of the shape equals the area left free inside.
 #[must_use]
 pub fn hatch(shape: &Shape, hatch: Hatch, pen: f64) -> Vec<BezPath> {
     let (sin, cos) = (libm::sin(hatch.angle.to_radians()), libm::cos(hatch.angle.to_radians()));
@@ -90,9 +90,9 @@ pub fn hatch(shape: &Shape, hatch: Hatch, pen: f64) -> Vec<BezPath> {
     strokes.into_iter().map(|([from, to], v)| stroke(back(from, v), back(to, v))).collect()
 }
 
-/// Adds where a segment crosses the lines. The segment is split where v turns; each part crosses a line once if its ends are on
-/// different sides of it. An end on the line counts as above it. So a closed path crosses each line an even number of times,
-/// even if it only touches it.
+/// Adds the places where a segment crosses the lines. The segment is split at the extrema of v; each part crosses a line once if
+/// its ends are on different sides of it. An end on the line counts as above it. Therefore a closed path crosses each line an even
+/// number of times, even if it only touches it.
 fn cross(segment: &PathSeg, spacing: f64, crossings: &mut BTreeMap<i64, Vec<Crossing>>) {
     let mut parts = vec![0.0];
     parts.extend(turns(segment));
@@ -117,7 +117,7 @@ fn cross(segment: &PathSeg, spacing: f64, crossings: &mut BTreeMap<i64, Vec<Cros
     }
 }
 
-/// The parameters, ascending, at which v turns from rising to falling or back: B′(t) = 0.
+/// The parameters, ascending, of the extrema of v: B′(t) = 0.
 fn turns(segment: &PathSeg) -> Vec<f64> {
     let PathSeg::Cubic(cubic) = segment else { return Vec::new() };
     let [a, b, c] = {

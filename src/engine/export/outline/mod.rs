@@ -1,7 +1,7 @@
 //! Patterns → outlines for plotters, cutters and drawing programs.
 //!
 //! ```text
-//!  rows of a pattern ─▶ trace ─▶ level lines ─▶ shapes ─▶ closed Beziers with holes ─▶ strokes, hatching ─▶ route ─▶ svg | dxf
+//! rows of a pattern ─▶ trace ─▶ level lines ─▶ shapes ─▶ closed Beziers with holes ─▶ strokes, hatching ─▶ route ─▶ svg | dxf
 //! ```
 //! All lengths are px until they are written.
 
@@ -31,7 +31,7 @@ use std::ops::Range;
 /// The file name endings of outline formats.
 pub const FORMATS: [&str; 2] = ["svg", "dxf"];
 
-/// About the largest distance of a fitted curve from the traced points, in steps between the traced values. Measured over the
+/// Approximate largest distance of a fitted curve from the traced points, in steps between the traced values. Measured over the
 /// examples: at most 0.05, and areas within 0.03 %.
 const TOLERANCE: f64 = 0.04;
 
@@ -45,7 +45,7 @@ pub struct Shape {
 }
 
 impl Shape {
-    /// Its boundaries.
+    /// Its boundary and the boundaries of its holes.
     pub fn paths(&self) -> impl Iterator<Item = &BezPath> {
         std::iter::once(&self.outer).chain(&self.holes)
     }
@@ -68,11 +68,11 @@ pub struct Smallest {
 
 /// A pattern that is read row by row.
 pub struct Source<'a> {
-    /// Values in a row, and rows.
+    /// Number of values in a row, and number of rows.
     pub size: [usize; 2],
-    /// The canvas that they cover, px.
+    /// Size of the canvas that they cover, px.
     pub extent: [f64; 2],
-    /// How the pattern continues beyond its border.
+    /// Continuation of the pattern beyond its border.
     pub edges: Edges,
     /// Returns the values of some rows.
     pub rows: &'a mut dyn FnMut(Range<usize>) -> Result<Vec<f32>, Stopped>,
@@ -111,6 +111,6 @@ pub fn outline_field(field: &Field, level: f64, smallest: Smallest) -> Vec<Shape
         edges: field.edges,
         rows: &mut rows,
     };
-    // Rows in memory never stop.
+    // Reading rows in memory cannot fail.
     outline(&mut source, level, smallest).unwrap_or_default()
 }

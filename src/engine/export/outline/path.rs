@@ -1,4 +1,4 @@
-//! What outlines need of paths beyond what kurbo has.
+//! Functions for paths that kurbo does not have.
 //!
 //! A path here is one subpath: `MoveTo`, then lines and cubics, then `ClosePath` if it is closed. The last line or cubic of a
 //! closed path ends at its start, so every segment is an element of the path. Lengths are px.
@@ -17,13 +17,13 @@ pub fn is_closed(path: &BezPath) -> bool {
     path.elements().last() == Some(&PathEl::ClosePath)
 }
 
-/// Where a path starts; the origin for an empty one.
+/// The start of a path; the origin for an empty one.
 #[must_use]
 pub fn start(path: &BezPath) -> Point {
     path.elements().first().and_then(PathEl::end_point).unwrap_or_default()
 }
 
-/// Where a path ends; the origin for an empty one.
+/// The end of a path; the origin for an empty one.
 #[must_use]
 pub fn end(path: &BezPath) -> Point {
     pieces(path).last().and_then(PathEl::end_point).unwrap_or_else(|| start(path))
@@ -45,7 +45,7 @@ pub fn flattened(path: &BezPath, tolerance: f64) -> Vec<Point> {
     points
 }
 
-/// A closed path, started at the end of its `first` pieces instead.
+/// A closed path that starts at the end of its `first` pieces.
 #[must_use]
 pub fn started_after(path: BezPath, first: usize) -> BezPath {
     let pieces = pieces(&path);
@@ -60,7 +60,7 @@ pub fn started_after(path: BezPath, first: usize) -> BezPath {
     BezPath::from_vec(elements)
 }
 
-/// A closed path without what runs along the border of a canvas of `size` px: open strokes, or the path itself.
+/// A closed path without the parts along the border of a canvas of `size` px: open strokes, or the path itself.
 #[must_use]
 pub fn cut(path: &BezPath, size: [f64; 2]) -> Vec<BezPath> {
     let segments: Vec<PathSeg> = path.segments().collect();

@@ -1,24 +1,25 @@
-//! How far before an outline the strokes of a pen with round ends stop, so that together they have its area.
+//! The distance from an outline at which the strokes of a pen with round ends stop, so that together they have the area of the
+//! shape.
 
 /// A pen that draws parallel strokes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PenEnds {
-    /// Its width, px.
+    /// Width of the pen, px.
     pub pen: f64,
     /// Distance of the strokes, px.
     pub spacing: f64,
 }
 
-/// Places across a stroke at which its reach is found: with 16 the sides of neighbours count a fourth too much.
+/// Number of places across a stroke at which its reach is computed: with 16 the sides of neighbours count a fourth too much.
 const PLACES: usize = 100;
-/// The largest slope that counts: beyond it the outline runs along the strokes.
+/// The largest slope of an outline that is used: at larger slopes the outline runs along the strokes.
 const STEEPEST: f64 = 50.0;
 /// Length of a dot ÷ width of the pen: programs leave out strokes without any length.
 const DOT: f64 = 0.02;
 
 impl PenEnds {
-    /// What is drawn of a `part` of a line within a shape whose outline has these slopes at its ends; `None` where the pen would
-    /// draw more than twice of it.
+    /// The drawn section of a `part` of a line within a shape whose outline has these slopes at its ends. `None` if the pen would
+    /// draw more than twice the area of the part.
     pub fn drawn(&self, part: [f64; 2], slopes: [f64; 2]) -> Option<[f64; 2]> {
         let [before, after] = slopes.map(|slope| self.reach(slope));
         let drawn = [part[0] + before, part[1] - after];
@@ -34,8 +35,8 @@ impl PenEnds {
         [middle - half, middle + half]
     }
 
-    /// How far strokes reach beyond the centre of the pen at their end, in the mean across the stroke, where each ends by `slope`
-    /// distances later than the one before it: its own round end, or the side of a neighbour that covers it. px.
+    /// The mean distance, px, across a stroke by which strokes reach beyond the centre of the pen at their end, if each stroke ends
+    /// `slope` spacings later than the previous one: its own round end, or the side of a neighbour that covers it.
     fn reach(&self, slope: f64) -> f64 {
         let (radius, step) = (0.5 * self.pen, slope.abs().min(STEEPEST) * self.spacing);
         let width = self.spacing.min(self.pen);
@@ -79,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_shorter_than_half_of_the_ends_is_left_out_and_what_is_longer_is_a_dot() {
+    fn parts_shorter_than_half_of_the_ends_are_left_out_and_longer_ones_are_dots() {
         let ends = PenEnds { pen: 1.0, spacing: 1.0 };
         assert_eq!(ends.drawn([0.0, 0.3], [0.0, 0.0]), None);
         let [from, to] = ends.drawn([0.0, 0.6], [0.0, 0.0]).unwrap();

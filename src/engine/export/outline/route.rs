@@ -1,16 +1,16 @@
 //! The order in which to draw paths, so that the pen travels little in the air.
 //!
-//! First the nearest path that is left is taken, again and again (closed paths may start at any of their knots, open ones at
-//! either end). Then stretches of the route are reversed and single paths moved while that shortens it (2-opt and or-opt;
-//! Croes 1958, Or 1976). At last each closed path starts where the route past it is shortest.
+//! First the nearest remaining path is taken, again and again (closed paths may start at any of their knots, open ones at either
+//! end). Then stretches of the route are reversed and single paths moved while that shortens it (2-opt and or-opt; Croes 1958, Or
+//! 1976). At last the start of each closed path is moved to the point where the route is shortest.
 
 use kurbo::{BezPath, Point};
 
 use super::path::{end, is_closed, pieces, start, started_after};
 
-/// Knots of a closed path that are tried when the nearest path is searched.
+/// Number of knots of a closed path that are tried when the nearest path is searched.
 const KNOTS: usize = 8;
-/// Most pairs of places that a round of improvement tries, so that a hundred thousand hatch strokes take seconds.
+/// Largest number of pairs of places tried in a round of improvement, so that a hundred thousand hatch strokes take seconds.
 const PAIRS: usize = 20_000_000;
 /// Rounds of improvement.
 const ROUNDS: usize = 12;
@@ -24,18 +24,18 @@ pub struct Route {
     pub paths: Vec<BezPath>,
 }
 
-/// How far a pen that starts at `from` travels in the air between `paths`, px.
+/// Distance that a pen that starts at `from` travels in the air between `paths`, px.
 #[must_use]
 pub fn travel(from: Point, paths: &[BezPath]) -> f64 {
     let mut pen = from;
     paths.iter().map(|path| std::mem::replace(&mut pen, end(path)).distance(start(path))).sum()
 }
 
-/// A visit to a path: where the pen comes down and where it goes up.
+/// A visit to a path: where the pen is lowered and where it is lifted.
 #[derive(Clone, Copy)]
 struct Visit {
     path: usize,
-    /// A closed path starts after so many of its pieces; an open one is reversed if this is 1.
+    /// For a closed path, the number of pieces after which it starts; for an open one, 1 if it is reversed, otherwise 0.
     turned: usize,
     begin: Point,
     end: Point,
@@ -73,7 +73,7 @@ fn visited(path: &BezPath, visit: &Visit) -> BezPath {
     }
 }
 
-/// Where a path may start: `turned`, start and end of a [`Visit`]. Of a closed path at most `most`.
+/// The possible starts of a path: `turned`, start and end of a [`Visit`]. At most `most` for a closed path.
 fn starts(path: &BezPath, most: usize) -> Vec<(usize, Point, Point)> {
     if !is_closed(path) {
         return vec![(0, start(path), end(path)), (1, end(path), start(path))];
@@ -105,7 +105,7 @@ impl Squares {
         };
         let corner = [0, 1].map(|axis| bound(axis, f64::min, f64::MAX));
         let extent = [0, 1].map(|axis| bound(axis, f64::max, f64::MIN) - corner[axis]);
-        // About two in each.
+        // About two visits in each square.
         let side = (extent[0] * extent[1] / (0.5 * visits.len() as f64)).sqrt();
         let side = side.max(extent[0].max(extent[1]) / 1000.0).max(f64::MIN_POSITIVE);
         let across = extent.map(|extent| (extent / side) as usize + 1);
@@ -124,7 +124,7 @@ impl Squares {
         })
     }
 
-    /// The nearest start of a path that is not `used`, searched in wider and wider rings of squares.
+    /// The nearest start of a path that is not `used`, searched in larger and larger rings of squares.
     fn nearest(&mut self, pen: Point, used: &[bool]) -> Option<Visit> {
         let [cx, cy] = self.square(pen).map(|c| c as isize);
         let mut best: Option<(f64, Visit)> = None;
@@ -181,12 +181,12 @@ fn nearest_first(paths: &[BezPath], from: Point) -> Vec<Visit> {
     visits
 }
 
-/// How many places ahead a round of improvement tries.
+/// Number of places ahead that a round of improvement tries.
 fn window(n: usize) -> usize {
     (PAIRS / n.max(1)).clamp(50, 100_000)
 }
 
-/// Gains below this are rounding, px.
+/// Gains below this value are rounding errors, px.
 const GAIN: f64 = 1e-9;
 
 /// 2-opt: reverses stretches from i to j where that shortens the route.
@@ -243,7 +243,7 @@ fn move_single(visits: &mut [Visit], from: Point) -> bool {
     shorter
 }
 
-/// Each path starts where the way from the path before and to the next one is shortest.
+/// Starts each path at the point for which the distance from the previous path and to the next one is shortest.
 fn choose_starts(visits: &mut [Visit], paths: &[BezPath], from: Point) {
     let mut pen = from;
     for i in 0..visits.len() {

@@ -17,7 +17,7 @@ const ACCURACY: f64 = 0.01;
 #[derive(Clone, Copy, Default)]
 struct Extent {
     area: f64,
-    /// On a wrapped canvas without what runs along the border.
+    /// On a wrapped canvas, the perimeter without the parts along the border.
     perimeter: f64,
 }
 
@@ -109,7 +109,7 @@ fn extent(path: &BezPath, size: [f64; 2], wraps: bool) -> Extent {
     Extent { area: path.area(), perimeter: counted.map(|segment| segment.arclen(ACCURACY)).sum() }
 }
 
-/// The extent of each part together with what it is connected to across a wrapped border.
+/// The extent of each part together with the parts that touch it across a wrapped border.
 fn whole_sizes(traced: &Traced, parts: &BTreeMap<u32, Part>, extents: &[Extent]) -> BTreeMap<u32, Extent> {
     let most = parts.keys().chain(traced.seams.iter().flatten()).copied().max().unwrap_or(0);
     let mut joined = UnionFind::new(most as usize + 1);
@@ -125,8 +125,8 @@ fn whole_sizes(traced: &Traced, parts: &BTreeMap<u32, Part>, extents: &[Extent])
     parts.keys().map(|part| (*part, sums[&joined.find(*part).0])).collect()
 }
 
-/// Decides whether to keep a part: it is kept if it is large enough and the part around it is kept. So an island takes its
-/// holes along, and a hole the islands in it.
+/// Decides whether to keep a part: it is kept if it is large enough and the part around it is kept. Removing an island therefore
+/// also removes its holes, and removing a hole the islands in it.
 fn decide(part: u32, parts: &mut BTreeMap<u32, Part>, large: &dyn Fn(u32) -> bool) {
     let mut chain = Vec::new();
     let mut at = part;

@@ -20,7 +20,7 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// Units per px.
+    /// Units for each px.
     #[must_use]
     pub fn per_px(self) -> f64 {
         match self {
@@ -29,7 +29,7 @@ impl Unit {
         }
     }
 
-    /// Its symbol.
+    /// Its abbreviation.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -38,7 +38,7 @@ impl Unit {
         }
     }
 
-    /// The default stroke width: 1 px, or 0.3 mm as of a fineliner.
+    /// The default stroke width: 1 px, or 0.3 mm, the width of a fineliner.
     #[must_use]
     pub fn stroke(self) -> f64 {
         match self {
@@ -48,7 +48,7 @@ impl Unit {
     }
 }
 
-/// Everything in the file but the groups.
+/// The content of the file except the groups.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sheet {
     /// The drawing's title; may be empty.
@@ -66,12 +66,12 @@ pub struct Sheet {
 /// Writes the groups.
 ///
 /// # Errors
-/// Where `out` cannot be written.
+/// An error of `out`.
 pub fn write(out: &mut impl Write, sheet: &Sheet, groups: &[Group]) -> io::Result<()> {
     let scale = sheet.unit.per_px();
     let [width, height] = sheet.size.map(|side| Number(side * scale));
     let unit = sheet.unit.name();
-    // So that the canvas has as many px when it is imported.
+    // So that the canvas has the same number of px when it is imported.
     let dpi = match sheet.unit {
         Unit::Px => String::new(),
         Unit::Mm { dpi } => format!(" data-dpi=\"{dpi}\""),
@@ -126,14 +126,14 @@ pub fn write(out: &mut impl Write, sheet: &Sheet, groups: &[Group]) -> io::Resul
     writeln!(out, "</svg>")
 }
 
-/// A path in the words of the attribute `d`. kurbo's own writer gives all 17 digits, twice the bytes.
+/// A path in the syntax of the attribute `d`. kurbo's own writer gives all 17 digits, twice the bytes.
 fn data(out: &mut impl Write, path: &BezPath, scale: f64) -> io::Result<()> {
     let point = |Point { x, y }: Point| Pair(Number(x * scale), Number(y * scale));
     let last = if is_closed(path) { pieces(path).len() } else { usize::MAX };
     for (i, element) in path.elements().iter().enumerate() {
         match *element {
             PathEl::MoveTo(at) => write!(out, "M{}", point(at))?,
-            // `Z` draws it.
+            // `Z` draws the last line.
             PathEl::LineTo(_) if i == last => {}
             PathEl::LineTo(end) => write!(out, "L{}", point(end))?,
             PathEl::QuadTo(a, end) => write!(out, "Q{} {}", point(a), point(end))?,

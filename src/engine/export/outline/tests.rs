@@ -7,7 +7,7 @@ use kurbo::{PathEl, Point, Shape as _};
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 
-/// A field that falls from 1 through ½ at distance `radius` from `center`, as gently as grown spots.
+/// A field that falls from 1 through ½ at distance `radius` from `center`, with the slope of grown spots.
 fn spot(size: [usize; 2], edges: Edges, center: [f64; 2], radius: f64) -> Field {
     let near = |d: f64, side: usize| match edges {
         Edges::Wrap => d - side as f64 * (d / side as f64).round(),
@@ -31,8 +31,8 @@ fn a_disc_keeps_its_area() {
             outline_field(&spot([96, 80], Edges::Closed, [47.3, 40.8], radius), 0.5, Smallest::default());
         assert_eq!(shapes.len(), 1);
         let off = area(&shapes) / (PI * radius * radius) - 1.0;
-        // Between the values, which stand a px apart, the lines are straight and the pattern is not; the curves that are
-        // fitted to them keep a tenth of the 0.5 % that is promised.
+        // Between the values, which are a px apart, the lines are straight and the pattern is not; the fitted curves use a tenth of
+        // the guaranteed 0.5 %.
         assert!(off.abs() < (0.07 / (radius * radius)).max(5e-4), "{radius}: {off}");
     }
 }
@@ -43,11 +43,11 @@ fn a_disc_over_the_seam_of_a_tile_is_cut_into_pieces_with_its_whole_area() {
     let shapes = outline_field(&field, 0.5, Smallest::default());
     assert_eq!(shapes.len(), 4);
     assert!((area(&shapes) / (64.0 * PI) - 1.0).abs() < 4e-3, "{}", area(&shapes));
-    // Each of the four is smaller than that; together they are not.
+    // Each of the four pieces is smaller than that; together they are not.
     let smallest = Smallest { width: 14.0, area: 190.0 };
     assert_eq!(outline_field(&field, 0.5, smallest).len(), 4);
     assert_eq!(outline_field(&field, 0.5, Smallest { width: 17.0, area: 0.0 }).len(), 0);
-    // Alone, as on a closed canvas, the smallest is.
+    // Alone, on a closed canvas, the smallest piece is too small.
     let closed = Field { edges: Edges::Closed, ..field };
     assert!(outline_field(&closed, 0.5, smallest).len() < 4);
 }
@@ -173,7 +173,7 @@ proptest! {
                 prop_assert!(path.is_finite());
             }
         }
-        // The other phase covers the rest.
+        // The ground covers the rest.
         let negative = Field { values: field.values.iter().map(|v| -v).collect(), ..field };
         let rest = area(&outline_field(&negative, -level, Smallest::default()));
         prop_assert!((covered + rest - whole).abs() < 0.05 * whole, "{covered} + {rest} of {whole}");

@@ -12,9 +12,9 @@ use crate::grid::marching_squares::lines;
 use crate::grid::{Edges, UnionFind};
 use std::ops::Range;
 
-/// Stands for "no crossing".
+/// Index that means "no crossing".
 const NONE: u32 = u32::MAX;
-/// Values that are requested at a time.
+/// Number of values that are requested at a time.
 const BAND: usize = 1 << 20;
 
 /// The level lines of a pattern, all closed.
@@ -24,11 +24,11 @@ pub struct Traced {
     pub rings: Vec<Ring>,
     /// Labels of parts of the canvas that touch across its wrapped border.
     pub seams: Vec<[u32; 2]>,
-    /// The label of what is outside of the canvas.
+    /// The label of the outside of the canvas.
     pub outside: u32,
 }
 
-/// A closed level line, inside on the right where y runs down: around a mark it has a positive area, around a hole a
+/// A closed level line. Where y runs down, the inside is on its right: around a mark it has a positive area, around a hole a
 /// negative one.
 #[derive(Debug)]
 pub struct Ring {
@@ -237,7 +237,7 @@ impl Tracer {
         }
     }
 
-    /// On a wrapped canvas, joins what touches the lower border with what touches the upper one.
+    /// On a wrapped canvas, joins the parts at the lower border with the parts at the upper one.
     fn join_top_and_bottom(&mut self) {
         let Some(row) = self.above.as_ref().filter(|_| self.edges == Edges::Wrap) else { return };
         for x in 1..row.labels.len() - 1 {

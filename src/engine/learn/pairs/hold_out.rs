@@ -1,23 +1,23 @@
-//! How well what is held out of the rows is predicted from the others.
+//! Accuracy with which held-out rows are predicted from the others.
 
 use super::pair_set::{PairRow, PairSet};
 use crate::learn::TrainingError;
 
-/// The errors of one answer, of all questions.
+/// The errors of one answered quantity, over all questions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeldOut {
-    /// What was asked for: a column.
+    /// The quantity: a column.
     pub answered: &'static str,
-    /// In the order of [`Self::WAYS`]: each |error| in the order of the questions, relative.
+    /// Relative |errors| in the order of the questions, for each method in the order of [`Self::WAYS`].
     pub errors: [Vec<f64>; 3],
 }
 
 impl HeldOut {
-    /// What answers, in the order of the errors.
+    /// The methods, in the order of the errors.
     pub const WAYS: [&'static str; 3] = ["law alone", "nearest neighbour", "LWR"];
 }
 
-/// Every `one_of`-th row of `set` is asked of a set of the others.
+/// Asks every `one_of`-th row of `set` of a set of the other rows.
 ///
 /// # Errors
 /// Too few others.
@@ -40,7 +40,7 @@ pub fn held_out(set: &PairSet, one_of: usize) -> Result<Vec<HeldOut>, TrainingEr
         for (index, of) in all.iter_mut().enumerate() {
             let wanted = set.value(&row, of.answered);
             let error = |got: f64| (got / wanted - 1.0).abs();
-            // The law knows no factor, and takes the level where the reaction is half.
+            // The law has no factor; its threshold is the value at which the reaction is one half.
             of.errors[0].push(error(1.0));
             of.errors[1].extend(nearest.get(index).map(|got| error(*got)));
             of.errors[2].push(error(learnt[index]));

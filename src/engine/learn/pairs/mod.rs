@@ -1,8 +1,8 @@
-//! Training rows of systems of pairs → how far their laws are off.
+//! Training rows of systems of pairs → corrections of their laws.
 //!
-//! Laws in closed form say which size s of a pair gives lines of a width and a period (`rd::pairs`). A row of a run holds what was
-//! measured, the parameters, and the factor: the size ÷ the size that the law gives for what was measured. The factor changes
-//! slowly, and locally weighted regression learns it in these coordinates:
+//! Laws in closed form give the size s of a pair whose lines have a given width and period (`rd::pairs`). The row of a run holds
+//! the measured values, the parameters, and the factor: the size ÷ the size that the law gives for the measured values. The factor
+//! changes slowly, and locally weighted regression learns it in these coordinates:
 //!
 //! ```text
 //! weave          asked: ln duty, others, ln unequal, between   answered: ln factor          for two directions, and for more
@@ -12,7 +12,7 @@
 //! cells          asked: ln sparse, aspect                      answered: ln factor, ln apart
 //! ```
 //!
-//! The words are those of the columns. A question beyond the rows is moved into their range.
+//! The names are those of the columns. A question beyond the rows is moved into their range.
 
 mod hold_out;
 mod pair_set;

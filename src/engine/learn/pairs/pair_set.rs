@@ -22,12 +22,12 @@ pub struct PairRow {
     pub values: Vec<f64>,
 }
 
-/// What a set answers.
+/// The answer of a set.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PairAnswer {
-    /// What is answered, in the order of the top of this room: the factor of the size first.
+    /// The answered values, in the order of the table in this room's documentation: the factor of the size first.
     pub values: Vec<f64>,
-    /// Half widths of the 90 % intervals: of factors relative.
+    /// Half widths of the 90 % intervals; relative for factors.
     pub within: Vec<f64>,
     /// Whether the question lies within the range of the rows.
     pub inside: bool,
@@ -38,21 +38,21 @@ pub struct PairSet {
     system: &'static Description,
     coordinates: &'static Coordinates,
     rows: Vec<PairRow>,
-    /// Of two directions, and of more; or one of all rows.
+    /// One group for two directions and one for more; or a single group of all rows.
     groups: Vec<Group>,
 }
 
 /// Rows that are learnt together.
 struct Group {
     local: Local,
-    /// Standard deviation of each coordinate that is asked.
+    /// Standard deviation of each coordinate of a question.
     spread: Vec<f64>,
-    /// Lowest and highest of each column that is asked.
+    /// Lowest and highest value of each column of a question.
     ranges: Vec<[f64; 2]>,
 }
 
 impl PairSet {
-    /// The embedded set of `system`; `None` where it has no coordinates.
+    /// The embedded set of `system`; `None` if it has no coordinates.
     ///
     /// # Errors
     /// [`TrainingError`], only if the program was built from a broken file.
@@ -79,7 +79,7 @@ impl PairSet {
         Self::from_rows(system, rows)
     }
 
-    /// The set of `system` with these rows; `None` where it has no coordinates or no rows.
+    /// The set of `system` with these rows; `None` if it has no coordinates or no rows.
     ///
     /// # Errors
     /// [`TrainingError::TooFew`].
@@ -114,23 +114,23 @@ impl PairSet {
         &self.rows
     }
 
-    /// The names of the columns that a question has.
+    /// The names of the columns of a question.
     pub fn asked(&self) -> impl Iterator<Item = &'static str> {
         self.coordinates.asked.iter().map(|(name, _)| *name)
     }
 
-    /// The names of what is answered.
+    /// The names of the answered values.
     pub fn answered(&self) -> impl Iterator<Item = &'static str> {
         self.coordinates.answered.iter().map(|(name, _)| *name)
     }
 
-    /// The value of a row in the column `name`; 0 where there is no such column.
+    /// The value of a row in the column `name`; 0 if there is no such column.
     #[must_use]
     pub fn value(&self, row: &PairRow, name: &str) -> f64 {
         value(self.system, row, name)
     }
 
-    /// The answer for lines of so many `directions` to a question with these values, in the order of [`Self::asked`].
+    /// The answer for lines of `directions` directions to a question with these values, in the order of [`Self::asked`].
     #[must_use]
     pub fn ask(&self, directions: usize, question: &[f64]) -> PairAnswer {
         let group = &self.groups[usize::from(directions > 2).min(self.groups.len() - 1)];
@@ -155,12 +155,12 @@ impl PairSet {
     }
 }
 
-/// Beyond the outermost rows by up to this share of their range a question counts as inside: rows hardly ever lie at the ends of what was
-/// swept, such as right angles.
+/// A question counts as inside up to this share of the range beyond the outermost rows: rows rarely lie at the ends of the swept
+/// range, such as right angles.
 const MARGIN: f64 = 0.02;
 
 fn is_inside((value, [low, high]): (&f64, &[f64; 2])) -> bool {
-    // Directions have no ends.
+    // Directions have no limits.
     let margin = if low.is_finite() { MARGIN * (high - low) } else { 0.0 };
     (low - margin..=high + margin).contains(value)
 }
@@ -173,7 +173,7 @@ impl Group {
         let asked: Vec<Vec<f64>> = rows.iter().map(|row| columns(row, coordinates.asked)).collect();
         let placed: Vec<Vec<f64>> = asked.iter().map(|row| scaled(coordinates.asked, row)).collect();
         let range = |(column, (_, scale)): (usize, &(&str, Scale))| {
-            // Every direction is like one of the first quarter turn.
+            // Every direction is equivalent to one between 0° and 90°.
             if *scale == Scale::Quarter {
                 return [f64::NEG_INFINITY, f64::INFINITY];
             }
@@ -203,7 +203,7 @@ fn scaled(columns: &[(&str, Scale)], values: &[f64]) -> Vec<f64> {
     columns.iter().zip(values).flat_map(|((_, scale), value)| scale.of(*value)).collect()
 }
 
-/// The standard deviation; 1 where nothing varies.
+/// The standard deviation; 1 if the values do not vary.
 fn deviation(values: impl Iterator<Item = f64> + Clone) -> f64 {
     let count = values.clone().count().max(1) as f64;
     let mean = values.clone().sum::<f64>() / count;

@@ -7,7 +7,7 @@ fn painted(tone: impl FnMut([f64; 2]) -> f32) -> Field {
     Field::from_fn([256, 256], [1.0, 1.0], Edges::Closed, tone)
 }
 
-/// What is said of a picture in which something can be measured.
+/// The verdict on a picture in which marks can be measured.
 fn judged(field: &Field) -> Option<NotTexture> {
     let level = level_between_phases(&field.values);
     let found = picture(field, level).expect("something is measured");
@@ -98,7 +98,7 @@ fn noise_of_all_wavelengths_is_no_texture() {
 
 #[test]
 fn soft_shadows_with_sharp_edges_here_and_there_are_no_texture() {
-    // Soft shade, and bars and a disc that are sharp where they stand out from it: as in a photograph.
+    // Soft shades, and bars and a disc that are sharp where they differ from them, as in a photograph.
     let photo = painted(|[x, y]| {
         let shade = 0.5 + 0.3 * (x / 40.0).sin() * (y / 50.0).cos();
         let rod = |at: f64| f64::from(ink(8.0 - (0.6 * x - 0.8 * y + at).abs()));
@@ -117,7 +117,7 @@ fn a_web_around_spots_is_a_texture() {
 
 #[test]
 fn a_silhouette_is_too_few_stripes() {
-    // A bent bar with legs.
+    // A bent bar with legs, as the silhouette of an animal.
     let beast = painted(|[x, y]| {
         let body = 25.0 - (y - 90.0 - 20.0 * (x / 60.0).sin()).abs();
         let legs = [60.0, 110.0, 170.0].map(|leg| (9.0 - (x - leg).abs()).min(60.0 - (y - 140.0).abs()));

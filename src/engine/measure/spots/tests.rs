@@ -19,7 +19,7 @@ fn seen(field: &Field) -> Vec<(f64, bool, bool)> {
 #[test]
 fn single_cells_are_diamonds_and_corners_do_not_join() {
     let field = drawn(Edges::Closed, &["......", ".#..#.", "..#...", "......"]);
-    // Each saddle's mean is 0.5: not above.
+    // The mean at each saddle is 0.5, which is not above the level.
     assert_eq!(seen(&field), [(0.5, false, false); 3]);
     let field = drawn(Edges::Closed, &[".....", ".#2..", ".2#..", "....."]);
     assert_eq!(seen(&field).len(), 1);
@@ -30,14 +30,14 @@ fn a_fork_that_closes_further_down_is_one_region() {
     let field = drawn(Edges::Closed, &[".......", ".#.#.#.", ".#.#.#.", ".#####.", "......."]);
     assert_eq!(seen(&field).len(), 1);
     let field = drawn(Edges::Closed, &[".....", ".###.", ".#.#.", ".###.", "....."]);
-    // A square of side 3 less its four corners less a diamond in the middle.
+    // A square of side 3 without its four corners and without a diamond in the middle.
     assert_eq!(seen(&field), [(9.0 - 0.5 - 0.5, false, false)]);
 }
 
 #[test]
 fn the_field_is_mirrored_at_the_border() {
     let field = drawn(Edges::Closed, &["##..", "##..", "....", "...#"]);
-    // A square of side 2 less a rounded corner; a square of side 1 less one.
+    // A square of side 2 without a rounded corner; a square of side 1 without one.
     assert_eq!(seen(&field), [(4.0 - 0.125, true, false), (1.0 - 0.125, true, false)]);
     assert_eq!(seen(&drawn(Edges::Closed, &["#"])), [(1.0, true, false)]);
     assert_eq!(seen(&drawn(Edges::Wrap, &["##", "##"])), [(4.0, false, true)]);
@@ -59,7 +59,7 @@ fn on_a_tile_four_corners_are_one_spot() {
 #[test]
 fn a_stripe_round_the_tile_is_endless() {
     assert_eq!(seen(&drawn(Edges::Wrap, &["....", "####", "....", "...."])), [(4.0, false, true)]);
-    // Down one column and back up across the border, shifted: it meets itself after two turns only.
+    // Down one column and back up across the border, shifted: it meets itself only after two rounds.
     let steps = drawn(Edges::Wrap, &["##....", ".##...", "..##..", "...##.", "....##", "#....#"]);
     assert_eq!(seen(&steps).len(), 1);
     assert!(seen(&steps)[0].2);

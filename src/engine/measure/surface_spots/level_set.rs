@@ -1,8 +1,8 @@
 //! The pieces of faces that lie above a threshold.
 //!
-//! Within a face, values are those of the quadratic surface through its corners and the middles of its sides; the latter are those of
-//! a cubic along the side with the slopes of its ends. So areas are those of the smooth surface, not of the mesh, as by the splines
-//! of grids.
+//! Within a face, values are those of the quadratic surface through its corners and the midpoints of its sides; the values at the
+//! midpoints are those of a cubic along the side with the slopes at its ends. So areas are those of the smooth surface, not of the
+//! mesh, as with the splines of grids.
 
 use crate::surface::Surface;
 
@@ -10,23 +10,23 @@ use crate::surface::Surface;
 #[derive(Clone, Copy, Debug)]
 pub struct Piece {
     pub face: u32,
-    /// Its corners, as shares of the corners of the face.
+    /// Its corners, as barycentric coordinates in the face.
     pub corners: [[f64; 3]; 3],
     /// Its area on the surface.
     pub area: f64,
 }
 
-/// Sides of a face that the border of a spot may cross are cut into so many parts. With 8 areas change by less than 0.1 %.
+/// Number of parts into which the sides of a face at the border of a spot are cut. With 8 areas change by less than 0.1 %.
 const CUTS: usize = 4;
 
-/// Values above a threshold by vertex, and their slopes.
+/// Excess of values over a threshold by vertex, and their slopes.
 pub struct LevelSet<'a> {
     above: &'a [f64],
     slopes: Vec<[f64; 2]>,
 }
 
 impl<'a> LevelSet<'a> {
-    /// Slopes are those of the planes that fit the neighbours of a vertex best.
+    /// Slopes are those of the least-squares plane through the neighbours of a vertex.
     pub fn new(surface: &Surface, above: &'a [f64]) -> Self {
         let slope = |vertex: usize| {
             let (mut products, mut right) = ([0.0; 3], [0.0; 2]);
@@ -44,7 +44,7 @@ impl<'a> LevelSet<'a> {
                 [yy * right[0] - xy * right[1], xx * right[1] - xy * right[0]].map(|part| part / size);
             if found.iter().all(|part| part.is_finite()) { found } else { [0.0; 2] }
         };
-        // Only those at a border of a spot are asked for.
+        // Only slopes at the border of a spot are needed.
         let is_near = |vertex: usize| {
             let sign = above[vertex] > 0.0;
             surface.ring(vertex).any(|other| (above[other] > 0.0) != sign)
@@ -58,13 +58,20 @@ impl<'a> LevelSet<'a> {
 
     /// The pieces of a face.
     pub fn pieces(&self, surface: &Surface, face: usize) -> Vec<Piece> {
+        self.pieces_and_contour(surface, face).0
+    }
+
+    /// The pieces of a face, and the length of their border within it: the contour at the threshold.
+    pub fn pieces_and_contour(&self, surface: &Surface, face: usize) -> (Vec<Piece>, f64) {
         let corners = surface.mesh.faces[face].map(|vertex| self.above[vertex as usize]);
         let [x, y, z] = surface.mesh.area_vector(face);
         let area = 0.5 * (x * x + y * y + z * z).sqrt();
         let whole = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         if corners.iter().all(|above| *above > 0.0) {
-            return vec![Piece { face: face as u32, corners: whole, area }];
+            return (vec![Piece { face: face as u32, corners: whole, area }], 0.0);
         }
+        let places = surface.mesh.corners(face);
+        let mut contour = 0.0;
         let middles = [0, 1, 2].map(|side| self.middle(surface, face, side));
         let value = |[a, b, c]: [f64; 3]| {
             let own =
@@ -77,10 +84,16 @@ impl<'a> LevelSet<'a> {
             [1.0 - second - third, second, third]
         };
         let mut add = |part: [[f64; 3]; 3]| {
-            clip(part, part.map(value), |corners| {
+            let crossed = clip(part, part.map(value), |corners| {
                 let share = share_of_area(corners);
                 pieces.push(Piece { face: face as u32, corners, area: share * area });
             });
+            if let Some([from, to]) = crossed {
+                let way: [f64; 3] = std::array::from_fn(|axis| {
+                    (0..3).map(|k| (to[k] - from[k]) * places[k][axis]).sum::<f64>()
+                });
+                contour += way.iter().map(|part| part * part).sum::<f64>().sqrt();
+            }
         };
         for j in 0..CUTS {
             for i in 0..CUTS - j {
@@ -90,13 +103,13 @@ impl<'a> LevelSet<'a> {
                 }
             }
         }
-        pieces
+        (pieces, contour)
     }
 
-    /// The value in the middle of a side.
+    /// The value at the midpoint of a side.
     fn middle(&self, surface: &Surface, face: usize, side: usize) -> f64 {
         let [from, to] = [side, (side + 1) % 3].map(|k| surface.mesh.faces[face][k] as usize);
-        // From both ends towards the other.
+        // Extrapolated from both ends towards each other.
         let [ahead, back] = surface.side_ways(face, side);
         let rise =
             |vertex: usize, way: [f64; 2]| self.slopes[vertex][0] * way[0] + self.slopes[vertex][1] * way[1];
@@ -104,23 +117,29 @@ impl<'a> LevelSet<'a> {
     }
 }
 
-/// The share of a face's area that a triangle has, by the shares of its corners.
+/// The share of a face's area in a triangle, from the barycentric coordinates of its corners.
 fn share_of_area([a, b, c]: [[f64; 3]; 3]) -> f64 {
     let [[ux, uy], [vx, vy]] = [b, c].map(|other| [other[1] - a[1], other[2] - a[2]]);
     (ux * vy - uy * vx).abs()
 }
 
-/// Gives the triangles of the part of a triangle where the linear function with these values at its corners is above 0.
-fn clip(corners: [[f64; 3]; 3], values: [f64; 3], mut each: impl FnMut([[f64; 3]; 3])) {
+/// Gives the triangles of the part of a triangle where the linear function with these values at its corners is above 0. Returns the
+/// ends of the line where it is 0.
+fn clip(
+    corners: [[f64; 3]; 3],
+    values: [f64; 3],
+    mut each: impl FnMut([[f64; 3]; 3]),
+) -> Option<[[f64; 3]; 2]> {
     let is_above = values.map(|value| value > 0.0);
     let count = is_above.iter().filter(|is| **is).count();
     if count == 0 {
-        return;
+        return None;
     }
     if count == 3 {
-        return each(corners);
+        each(corners);
+        return None;
     }
-    // The corner that is alone on its side, first.
+    // First the corner that is the only one on its side.
     let lone = (0..3).find(|k| is_above[*k] == (count == 1)).unwrap_or(0);
     let [a, b, c] = [0, 1, 2].map(|k| (lone + k) % 3);
     let crossing = |to: usize| {
@@ -134,4 +153,5 @@ fn clip(corners: [[f64; 3]; 3], values: [f64; 3], mut each: impl FnMut([[f64; 3]
         each([first, corners[b], corners[c]]);
         each([first, corners[c], second]);
     }
+    Some([first, second])
 }

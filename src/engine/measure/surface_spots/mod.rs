@@ -1,6 +1,6 @@
 //! Spots on a triangle surface: the parts of it that lie above a threshold.
 
-mod level_set;
+pub(super) mod level_set;
 mod moments;
 
 use std::f64::consts::PI;
@@ -25,7 +25,7 @@ pub struct SurfaceSpot {
     pub radii: [f64; 2],
     /// Direction of the first radius, in the frame of the vertex that `place` lies at, 0..180.
     pub degrees: f64,
-    /// It touches no open border: all of it was measured.
+    /// Whether all of it was measured: it touches no open border.
     pub whole: bool,
     /// Area ÷ (π·r₁·r₂), where 2√λ are the radii of an ellipse of second moments λ: 1 for an ellipse, less for merged or bent marks.
     pub fill: f64,
@@ -43,11 +43,11 @@ impl SurfaceSpot {
     }
 }
 
-/// How often a spot is looked at again from what was its middle before: not tuned.
+/// Number of times that a spot is measured again from its new centre: not tuned.
 const LOOKS: usize = 2;
 
-/// The spots of `values` above `threshold`, both by vertex, in the order of their first vertices. Values between vertices are those of a
-/// surface that is smooth there, as on grids; specks are left out as there: what is smaller than 2 cells, or than 5 % of the usual area.
+/// The spots of `values` above `threshold`, both by vertex, in the order of their first vertices. Values between vertices are those
+/// of a smooth surface, as on grids. Specks are left out as on grids: spots smaller than 2 cells, or than 5 % of the usual area.
 #[must_use]
 pub fn surface_spots(surface: &Surface, values: &[f32], threshold: &[f32]) -> Vec<SurfaceSpot> {
     let above: Vec<f64> = values
@@ -94,7 +94,7 @@ fn parts(surface: &Surface, above: &[f64], level_set: &LevelSet) -> Vec<Part> {
         parts[index[root]].vertices.push(vertex);
     }
     for (face, corners) in surface.mesh.faces.iter().enumerate() {
-        // All corners above the threshold are of one part.
+        // All corners above the threshold belong to one part.
         if let Some(corner) = corners.iter().find(|vertex| is_above(**vertex)) {
             parts[index[*corner as usize]].pieces.extend(level_set.pieces(surface, face));
         }
@@ -110,7 +110,7 @@ impl Part {
         let mut place = surface.center(highest as usize);
         let mut moments = self.moments(surface, place);
         for _ in 0..LOOKS {
-            // Seen from the middle of what was seen before, in the frame there.
+            // Measured from the previous centre, in the frame there.
             place = surface.walk(place, moments.middle());
             moments = self.moments(surface, place);
         }
@@ -135,7 +135,7 @@ impl Part {
         }
     }
 
-    /// The moments of all pieces as seen from a place, in its frame.
+    /// The moments of all pieces in the tangent plane of a place, in its frame.
     fn moments(&self, surface: &Surface, place: SurfacePoint) -> PlaneMoments {
         let mut missing: Vec<u32> =
             self.pieces.iter().flat_map(|piece| surface.mesh.faces[piece.face as usize]).collect();

@@ -1,6 +1,6 @@
 //! Moments of triangles in a plane.
 
-/// Sums over triangles, each with an area of its own: that on the surface.
+/// Sums over triangles, each with an area of its own: its area on the surface.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct PlaneMoments {
     area: f64,
@@ -10,7 +10,7 @@ pub struct PlaneMoments {
 }
 
 impl PlaneMoments {
-    /// Adds a triangle of this area with corners there.
+    /// Adds a triangle with this area and these corners.
     pub fn add(&mut self, area: f64, corners: [[f64; 2]; 3]) {
         let sum = |k: usize| corners[0][k] + corners[1][k] + corners[2][k];
         let square = |i: usize, j: usize| {
@@ -25,7 +25,7 @@ impl PlaneMoments {
         }
     }
 
-    /// The centre of mass; the origin of nothing.
+    /// The centre of mass; the origin without triangles.
     pub fn middle(&self) -> [f64; 2] {
         if self.area > 0.0 { self.first.map(|first| first / self.area) } else { [0.0; 2] }
     }

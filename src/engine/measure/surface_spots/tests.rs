@@ -13,7 +13,7 @@ fn bump(surface: &Surface, centers: &[[f64; 3]], width: f64) -> Vec<f32> {
     surface.mesh.positions.iter().map(|position| at(position) as f32).collect()
 }
 
-/// Upright ellipses on a plate, turned by 30° clockwise seen from above.
+/// Upright ellipses on a plate, rotated by 30° clockwise seen from above.
 fn ellipses(surface: &Surface, centers: &[[f64; 2]], [long, short]: [f64; 2]) -> Vec<f32> {
     let (sin, cos) = libm::sincos(30f64.to_radians());
     let at = |[x, y, _]: &[f64; 3]| {

@@ -1,16 +1,16 @@
-//! Whether a JPEG is whole. The decoder fills what is missing with gray, without a word.
+//! Whether a JPEG is complete. The decoder fills missing parts with gray, without an error.
 
 /// Whether a file is a JPEG without an end (ITU-T T.81, annex B): cut short, or the rest was never written.
 pub(super) fn is_cut_short(bytes: &[u8]) -> bool {
     bytes.starts_with(&[0xff, 0xd8]) && !has_end(bytes)
 }
 
-/// Whether the marker of the end is found behind the segments and the px. A preview in a segment has an end of its own, which does not
-/// count.
+/// Whether the end marker is found after the segments and the px. A preview in a segment has an end marker of its own, which is
+/// ignored.
 fn has_end(bytes: &[u8]) -> bool {
     let mut at = 2;
     while let Some(rest) = bytes.get(at..) {
-        // To the next marker: px hold 0xff only before 0 and before the marks of restarts.
+        // Finds the next marker: in px, 0xff occurs only before 0 and before restart markers.
         let Some(found) = rest.windows(2).position(|pair| pair[0] == 0xff && !matches!(pair[1], 0 | 0xff))
         else {
             return false;
@@ -19,7 +19,7 @@ fn has_end(bytes: &[u8]) -> bool {
         at += found + 2;
         match marker {
             0xd9 => return true,
-            // Without a length.
+            // Markers without a length.
             0x01 | 0xd0..=0xd8 => {}
             _ => {
                 let Some(&[high, low]) = bytes.get(at..at + 2) else { return false };

@@ -1,17 +1,17 @@
-//! Values of more than 8 bits → 8 bits: narrow ranges are stretched.
+//! Converts values of more than 8 bits to 8 bits: narrow ranges are stretched.
 
 use image::DynamicImage;
 
-/// The share of values that may lie beyond either end of their range: single px of noise and dust.
+/// The share of values that may lie beyond either end of their range: noise and dust of single px.
 const BEYOND: f64 = 0.001;
 /// Ranges that take less than this share of all values are stretched.
 const NARROW: f64 = 0.25;
-/// What the ends of a stretched range become, of 255. Between these, lightness is proportional to the values within 3 %.
+/// The ends of a stretched range, of 255. Between them, lightness is proportional to the values within 3 %.
 const TO: [f64; 2] = [64.0, 224.0];
-/// Values that are looked at.
+/// Number of values that are sampled.
 const ENOUGH: usize = 1 << 20;
 
-/// The range of values that are finite numbers, without the few beyond either end; `None` without any.
+/// The range of finite values, without the few beyond either end; `None` without any.
 pub(super) fn range(values: impl ExactSizeIterator<Item = f64>) -> Option<[f64; 2]> {
     let step = values.len() / ENOUGH + 1;
     let mut some: Vec<f64> = values.step_by(step).filter(|value| value.is_finite()).collect();
@@ -21,23 +21,23 @@ pub(super) fn range(values: impl ExactSizeIterator<Item = f64>) -> Option<[f64; 
     Some([at(beyond), at(last - beyond)])
 }
 
-/// A value of a stretched range, 0 to 255. What is no number is like the lowest.
+/// A value of a stretched range, 0 to 255. NaN becomes the lowest value.
 pub(super) fn stretched(value: f64, [low, high]: [f64; 2]) -> u8 {
     let share = ((value - low) / (high - low).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-    // Of NaN, too.
+    // NaN becomes 0, too.
     let share = if share > 0.0 { share } else { 0.0 };
     (TO[0] + share * (TO[1] - TO[0])).round() as u8
 }
 
-/// What is said of a range that was stretched.
+/// The note on a range that was stretched.
 pub(super) fn said([low, high]: [f64; 2]) -> String {
     // In the digits of single precision.
     let [low, high] = [low as f32, high as f32];
     format!("its values lie between {low} and {high}; this range was stretched")
 }
 
-/// A picture of 16 bits or of floating point whose values take a small part of their range, stretched, with what is to be said; any
-/// other as it is.
+/// A picture of 16 bits or of floating point whose values cover a small part of their range, stretched, with a note; any other
+/// picture unchanged.
 pub(super) fn widened(image: DynamicImage) -> (DynamicImage, Option<String>) {
     let (values, most): (Vec<f64>, f64) = match &image {
         DynamicImage::ImageLuma16(picture) => (doubles(picture.as_raw()), 65535.0),
@@ -84,7 +84,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_is_ground() {
+    fn nan_is_ground() {
         assert_eq!(range([f64::NAN, 1.0, f64::INFINITY, 3.0].into_iter()), Some([1.0, 3.0]));
         assert_eq!(
             [f64::NAN, 1.0, 2.0, 3.0, 9.0].map(|value| stretched(value, [1.0, 3.0])),

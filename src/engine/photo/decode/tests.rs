@@ -3,14 +3,14 @@
 use super::*;
 use std::io::Cursor;
 
-/// Found by fuzzing: the head of a damaged file can say any size.
+/// Found by fuzzing: a damaged header can state any size.
 #[test]
 fn a_few_bytes_are_not_unpacked_to_gigabytes() {
     let mut file = Vec::new();
     let picture = image::RgbImage::new(4, 4);
     picture.write_to(&mut Cursor::new(&mut file), ImageFormat::Bmp).expect("a bitmap");
     assert!(decode(&mut Cursor::new(&file)).is_ok());
-    // Width and height stand at bytes 18 and 22.
+    // Width and height are at bytes 18 and 22.
     for at in [18, 22] {
         file[at..at + 4].copy_from_slice(&30_000u32.to_le_bytes());
     }
@@ -99,7 +99,7 @@ fn gray_of_three_bits_is_read() {
 }
 
 #[test]
-fn floating_point_and_signed_numbers_are_stretched_and_this_is_said() {
+fn floating_point_and_signed_numbers_are_stretched_with_a_note() {
     let floats: Vec<u8> =
         [0.0_f32, 1.0, 2.0, 3.0, 4.0, 5.0, f32::NAN, 8.0].iter().flat_map(|x| x.to_le_bytes()).collect();
     let float = tiff_of(&[(258, 3, &[32]), (262, 3, &[1]), (277, 3, &[1]), (339, 3, &[3])], &floats);

@@ -11,7 +11,7 @@ use tiff::{ColorType, TiffError};
 
 use super::stretch::{range, said, stretched};
 
-/// The tag of what values mean, with 3 for a palette and 1 for gray.
+/// The tag with the meaning of values: 3 for a palette and 1 for gray.
 const PHOTOMETRIC: u64 = 262;
 
 /// Whether bytes begin a TIFF, or a BigTIFF.
@@ -30,9 +30,9 @@ pub(super) fn size(bytes: &[u8]) -> Result<[usize; 2], TiffError> {
     Ok([width as usize, height as usize])
 }
 
-/// The first picture, and what is to be said of it.
+/// The first picture, and a note on it.
 pub(super) fn decode(bytes: &[u8]) -> Result<(DynamicImage, Option<String>), TiffError> {
-    // The decoder refuses indices into a palette: as gray values it reads them.
+    // The decoder refuses indices into a palette, so they are read as gray values.
     let as_gray = with_gray_for_palette(bytes);
     let mut decoder =
         Decoder::new(Cursor::new(as_gray.as_deref().unwrap_or(bytes)))?.with_limits(Limits::unlimited());
@@ -64,7 +64,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<(DynamicImage, Option<String>), Tif
             Err(TiffError::UnsupportedError(unsupported))
         }
         _ => {
-            // Of one or two bands the first is the picture, of more the first three; the rest is opacity or something else.
+            // With one or two bands the first is the picture, with more the first three; the others are opacity or something else.
             let shown = if channels < 3 { 1 } else { 3 };
             let taken: Vec<f64> =
                 values.chunks_exact(channels).flat_map(|px| &px[..shown]).copied().collect();
@@ -108,7 +108,8 @@ fn values(read: DecodingResult) -> Vec<f64> {
     }
 }
 
-/// The samples px by px: those of fewer than 8 bits are packed, each row into whole bytes, and planes lie one behind the other.
+/// The samples px by px: samples of fewer than 8 bits are packed, each row into whole bytes, and planes are stored one after the
+/// other.
 fn spread(values: Vec<f64>, bits: usize, width: usize, channels: usize, planes: usize) -> Vec<f64> {
     let a_row = width * if planes > 1 { 1 } else { channels };
     let unpacked = if bits >= 8 {
@@ -116,7 +117,7 @@ fn spread(values: Vec<f64>, bits: usize, width: usize, channels: usize, planes: 
     } else {
         let row = (a_row * bits).div_ceil(8).max(1);
         let sample = |row: &[f64], k: usize| {
-            // A sample of 3, 5, 6 or 7 bits may lie in two bytes.
+            // A sample of 3, 5, 6 or 7 bits may extend over two bytes.
             let byte = |at: usize| row.get(at).copied().unwrap_or(0.0) as u32;
             let first = k * bits / 8;
             let both = byte(first) << 8 | byte(first + 1);
@@ -131,7 +132,7 @@ fn spread(values: Vec<f64>, bits: usize, width: usize, channels: usize, planes: 
     (0..px * planes).map(|at| unpacked[at % planes * px + at / planes]).collect()
 }
 
-/// A colour of a palette: all reds, then all greens, then all blues, of 16 bits; programs write 8 bits, too.
+/// A colour of a palette: all reds, then all greens, then all blues, of 16 bits; some programs write 8 bits.
 fn of_palette(map: &[u16], index: usize) -> [u8; 3] {
     let shift = if map.iter().all(|value| *value < 256) { 0 } else { 8 };
     [0, 1, 2]
@@ -145,7 +146,7 @@ fn of_ycbcr(px: &[f64]) -> [u8; 3] {
         .map(|value| value.round().clamp(0.0, 255.0) as u8)
 }
 
-/// The file with gray in place of a palette; `None` where it has none.
+/// The file changed to gray instead of a palette; `None` if it has no palette.
 fn with_gray_for_palette(bytes: &[u8]) -> Option<Vec<u8>> {
     let little = bytes.starts_with(b"II");
     let number = |at: usize, length: usize| -> Option<u64> {

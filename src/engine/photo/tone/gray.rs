@@ -1,4 +1,4 @@
-//! A decoded file → a gray picture of few px.
+//! Converts a decoded file to a gray picture of few px.
 
 use rayon::prelude::*;
 
@@ -30,8 +30,8 @@ pub(super) fn linear_table() -> [f32; 256] {
     table
 }
 
-/// The gray picture of a decoded file with at most `most` px a side: each px is the mean linear light of its part. What is
-/// transparent lies on white.
+/// The gray picture of a decoded file with at most `most` px a side: each px is the mean linear light of its part. Transparent
+/// parts are put on white.
 #[must_use]
 pub fn gray(decoded: &Decoded, most: usize) -> Gray {
     let rgba = decoded.image.to_rgba8();
@@ -67,7 +67,7 @@ pub fn gray(decoded: &Decoded, most: usize) -> Gray {
     Gray { size, values }
 }
 
-/// The linear light at which the value of sRGB is rounded to the next one: 255 of them.
+/// The linear light values at which the sRGB value is rounded to the next one: 255 of them.
 fn thresholds() -> Vec<f32> {
     (0..255).map(|value| linear((f64::from(value) + 0.5) / 255.0) as f32).collect()
 }

@@ -4,12 +4,12 @@ use crate::photo::tone::gray::{Gray, linear_table};
 
 /// Tiles along each side whose histograms are equalised, as usual (Zuiderveld 1994).
 const TILES: usize = 8;
-/// The largest share of a tile's px that one gray may have, before what is above is spread over all grays: contrast is raised by a
+/// The largest share of a tile's px that one gray may have; the excess is distributed over all grays. Contrast is increased by a
 /// factor of at most 256 · 0.01. With 0.01 three portraits were best (`facts.md` V).
 const LIMIT: f64 = 0.01;
 
 /// The share of ink at each px, 0 = white to 1 = black: 1 − linear luminance, or with `equalise` the share of lighter px around the
-/// place.
+/// px.
 ///
 /// Contrast limited adaptive histogram equalisation: K. Zuiderveld, in Graphics Gems IV (1994), 474–485.
 #[must_use]
@@ -48,7 +48,7 @@ pub fn ink(picture: &Gray, equalise: bool) -> Vec<f32> {
     ink
 }
 
-/// For each gray the share of these px that are darker, and of half of those that are equal.
+/// For each gray, the share of these px that are darker, plus half of those that are equal.
 fn shares(px: impl Iterator<Item = u8>) -> [f32; 256] {
     let mut counts = [0.0_f64; 256];
     let mut total = 0.0;
@@ -67,7 +67,7 @@ fn shares(px: impl Iterator<Item = u8>) -> [f32; 256] {
     })
 }
 
-/// For each px of a side the two tiles between whose centres it lies, and how far it is from the first to the second, 0..1.
+/// For each px of a side, the two tiles between whose centres it lies, and its position between them, 0..1.
 fn between(side: usize, tiles: usize) -> Vec<(usize, usize, f32)> {
     let place = |px: usize| {
         let at = ((px as f32 + 0.5) * tiles as f32 / side as f32 - 0.5).clamp(0.0, tiles as f32 - 1.0);

@@ -1,4 +1,4 @@
-//! A gray picture → what it asks of a pattern at each place: how much ink, in which direction, how fine.
+//! The pattern that a gray picture asks for at each place: amount of ink, direction and fineness.
 //!
 //! ```text
 //!  file ─▶ gray (8 bits, at most so many px a side) ─▶ the part that covers the canvas ─▶ ink (equalised)

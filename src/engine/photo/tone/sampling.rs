@@ -1,8 +1,8 @@
-//! A picture on the cells of a grid over the canvas.
+//! Samples a picture on the cells of a grid over the canvas.
 
 use rayon::prelude::*;
 
-/// Where the canvas lies on a picture, in px of the picture: the largest part in the middle that has its shape.
+/// The position of the canvas on a picture, in px of the picture: the largest central part with its proportions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     /// The upper left corner.
@@ -87,7 +87,7 @@ mod tests {
             let frame = Frame::covering(picture, [64.0, 8.0]);
             let row = sampled(&ramp, picture, &frame, [cells, 4]);
             let wanted = |cell: usize| (cell as f32 + 0.5) * 64.0 / cells as f32 - 0.5;
-            // At the border the mean lacks what lies beyond.
+            // At the border the mean lacks values from beyond.
             for (cell, found) in row[..cells].iter().enumerate().skip(cells / 8).take(cells - cells / 4) {
                 assert!((found - wanted(cell)).abs() < 1e-3, "{cells} {cell}: {found}");
             }

@@ -1,12 +1,12 @@
-//! The structure tensor of a picture: along its edges, and how much there is of them.
+//! The structure tensor of a picture: the directions of its edges, and their strength.
 //!
 //! ```text
 //! J = G_σ₂ * (∇ḡ ∇ḡᵀ),  ḡ = G_σ₁ * g
 //! J + WIDE · (J with 4σ₂) + share · mean(tr J) · n nᵀ
 //! ```
 //!
-//! J. Bigün & G. Granlund, "Optimal orientation detection of linear symmetry", ICCV 1987. n is across the direction of the sketch: where
-//! the picture is flat, lines run as drawn.
+//! J. Bigün & G. Granlund, "Optimal orientation detection of linear symmetry", ICCV 1987. n is across the direction of the sketch:
+//! where the picture is flat, lines have the drawn direction.
 
 use rayon::prelude::*;
 
@@ -15,12 +15,12 @@ use crate::grid::blur::gaussian;
 
 /// σ₁ and σ₂ in wavelengths (3 and 7.5 of the 11.6 cells that a wavelength had, `facts.md` V).
 const SIGMAS: [f64; 2] = [0.26, 0.65];
-/// The part of the tensor that is blurred four times as far. Without it flat parts between edges swirl.
+/// Weight of the tensor that is blurred four times as far. Without it, directions in flat parts between edges are irregular.
 const WIDE: f32 = 0.15;
-/// How many times farther that is.
+/// Factor of the wider blur.
 const WIDER: f64 = 4.0;
 
-/// A direction wanted everywhere, and how much it counts.
+/// A direction wanted everywhere, and its weight.
 pub struct Constant<'a> {
     /// Degrees, at each cell.
     pub direction: &'a (dyn Fn(usize) -> f64 + Sync),
@@ -33,7 +33,7 @@ pub struct Constant<'a> {
 pub struct Tensors {
     /// Cells along x and y.
     pub size: [usize; 2],
-    /// Whether they wrap around.
+    /// Whether the borders wrap around.
     pub edges: Edges,
     /// xx, xy, yy.
     pub parts: [Vec<f32>; 3],
@@ -77,7 +77,7 @@ impl Tensors {
         (0..cells).map(|cell| f64::from(self.energy(cell))).sum::<f64>() / cells.max(1) as f64
     }
 
-    /// With a part of itself blurred farther, so that flat places have the directions of what is around them.
+    /// This tensor plus a part of itself that is blurred farther, so that flat places have the directions of their surroundings.
     #[must_use]
     pub fn spread(mut self, wavelength: f64) -> Self {
         let sigma = WIDER * SIGMAS[1] * wavelength;
@@ -88,11 +88,11 @@ impl Tensors {
         self
     }
 
-    /// With a constant one.
+    /// This tensor plus a constant one.
     #[must_use]
     pub fn plus(mut self, constant: &Constant) -> Self {
         let mean = self.mean_energy();
-        // A picture without any edge has directions all the same.
+        // A picture without any edge still has directions.
         let weight = constant.share * if mean > 0.0 { mean } else { 1.0 };
         for cell in 0..self.parts[0].len() {
             let across = (constant.direction)(cell).to_radians();
@@ -108,7 +108,7 @@ impl Tensors {
     #[must_use]
     pub fn along(&self, cell: usize) -> (f64, f64) {
         let [xx, xy, yy] = [0, 1, 2].map(|part| f64::from(self.parts[part][cell]));
-        // Across the edges is ½ atan2(2 xy, xx − yy); along them a quarter turn more.
+        // The direction across the edges is ½ atan2(2 xy, xx − yy); along them it is 90° more.
         let angle = 0.5 * libm::atan2(-2.0 * xy, yy - xx).to_degrees();
         let difference = ((xx - yy) * (xx - yy) + 4.0 * xy * xy).sqrt();
         let sum = xx + yy;

@@ -15,7 +15,7 @@ fn random(count: usize, seed: u64) -> Vec<[f64; 2]> {
     (0..count).map(|_| [90.0 * rng.random::<f64>(), 60.0 * rng.random::<f64>()]).collect()
 }
 
-/// Pairs of points that are joined, with the length of the edge in 1/1,000 px.
+/// Pairs of points that are joined by an edge, with its length in 1/1,000 px.
 fn pairs(graph: &Delaunay) -> BTreeSet<(u32, u32, i64)> {
     let mut pairs = BTreeSet::new();
     for point in 0..graph.points.len() {
@@ -33,7 +33,7 @@ fn pairs(graph: &Delaunay) -> BTreeSet<(u32, u32, i64)> {
 }
 
 #[test]
-fn the_edges_are_those_of_the_ruler_on_a_tile() {
+fn edges_on_a_tile_agree_with_those_of_the_measurement() {
     for (count, seed) in [(300, 1), (40, 2), (5, 3), (2, 4)] {
         let points = random(count, seed);
         let edges = spacing::edges(&points, Some(TILE.size));
@@ -75,7 +75,7 @@ fn axes_and_corners_of_the_cell_alternate_round_a_point() {
 }
 
 #[test]
-fn the_way_along_an_edge_with_clearance_is_nearest_to_its_ends() {
+fn places_on_an_edge_with_clearance_are_nearest_to_its_ends() {
     let points = random(150, 7);
     let graph = Delaunay::new(&points, TILE);
     let mut found = [0; 2];
@@ -97,7 +97,7 @@ fn the_way_along_an_edge_with_clearance_is_nearest_to_its_ends() {
 }
 
 #[test]
-fn two_triangles_at_an_edge_have_each_other_s_corner_opposite() {
+fn the_points_opposite_to_an_edge_are_the_third_corners_of_its_triangles() {
     let square = Delaunay::new(&[[20.0, 20.0], [40.0, 10.0], [60.0, 20.0], [40.0, 31.0]], CARD);
     // The edge between 1 and 3 is the shorter diagonal.
     let across = |point: usize| square.opposite(point).map(|(other, _)| other).collect::<Vec<_>>();
@@ -115,7 +115,7 @@ fn two_triangles_at_an_edge_have_each_other_s_corner_opposite() {
 }
 
 #[test]
-fn points_that_coincide_or_are_no_numbers_have_no_neighbours() {
+fn coincident_and_non_finite_points_have_no_neighbours() {
     let mut points = random(30, 8);
     points.push(points[4]);
     points.push([f64::NAN, 3.0]);

@@ -11,7 +11,8 @@ fn lay(extent: &Extent, margin: f64, metric: &dyn Fn([f64; 2]) -> Metric, seed: 
     poisson_discs(extent, margin, metric, &[], &mut Pcg64Mcg::seed_from_u64(seed))
 }
 
-/// The largest empty circle of round discs on a tile, in radii: its centre is a corner of a Voronoi cell.
+/// Radius of the largest empty circle between round discs on a tile, in radii of the discs: its centre is a corner of a Voronoi
+/// cell.
 fn largest_gap(points: &[[f64; 2]], radius: f64) -> f64 {
     let graph = Delaunay::new(points, TILE);
     let corners = (0..points.len()).flat_map(|point| graph.cell(point).to_vec());
@@ -48,7 +49,7 @@ fn every_place_lies_in_the_disc_of_a_point_where_discs_vary_too() {
     for (i, a) in points.iter().enumerate() {
         for b in &points[..i] {
             let displacement = [a[0] - b[0], a[1] - b[1]];
-            // The later one is not in the disc of the earlier.
+            // The later point is not in the disc of the earlier one.
             assert!(metric(*b).square(displacement) >= 1.0, "{a:?}, {b:?}");
         }
     }
@@ -68,7 +69,7 @@ fn ellipses_are_farther_apart_along_their_direction() {
             across += usize::from(u < 2.0 && v < 13.0);
         }
     }
-    // Of three in a row across, the nearest may lie a little aside.
+    // If three points lie in a row across, the nearest one may lie a little aside.
     assert!(along == 0 && across > points.len() / 3, "{along}, {across} of {}", points.len());
 }
 
@@ -104,7 +105,7 @@ fn a_disc_that_covers_a_tile_many_times_is_laid_once() {
     for radius in [400.0, 1e5, 1e12] {
         assert_eq!(lay(&TILE, 0.0, &|_| Metric::circle(radius), 1).len(), 1, "{radius}");
     }
-    // Long ones that do not cover it still have all their images.
+    // Long discs that do not cover the tile still have all their images.
     let metric = |_: [f64; 2]| Metric::ellipse(120.0, 0.04, 20.0);
     let points = lay(&TILE, 0.0, &metric, 2);
     let covered = |at: [f64; 2]| {
@@ -119,7 +120,7 @@ fn a_disc_that_covers_a_tile_many_times_is_laid_once() {
 }
 
 #[test]
-fn what_laying_takes_is_known_before() {
+fn the_cost_of_laying_discs_is_estimated_in_advance() {
     let varied = |[x, _]: [f64; 2]| Metric::circle(4.0 + 8.0 * (x / 300.0).clamp(0.0, 1.0));
     for (extent, margin) in [(TILE, 0.0), (CARD, 40.0)] {
         for metric in [&varied as &dyn Fn([f64; 2]) -> Metric, &|_| Metric::circle(6.0)] {

@@ -1,14 +1,14 @@
-//! What the rest of the program has to know of fields of points.
+//! The description of fields of points.
 
 use crate::attributes::system::{Description, Family, Keys, picture};
 
-/// Fields of points as a system. Nothing is looked up for them, so that there are no training rows; the marks that may be drawn are
-/// ellipses.
+/// Fields of points as a system. No parameters are looked up for them, so there are no training rows. The marks that may be drawn
+/// are ellipses.
 pub static POINTS: Description = Description {
     name: "points",
     title: "Points",
     noun: "a field of points",
-    help: "Noise, cells and clusters of scattered points: a cow, stone, a giraffe, with nothing drawn",
+    help: "Noise, cells and clusters of scattered points, as on stone, a cow or a giraffe, without drawn marks",
     picture: picture!("points"),
     kind: Family::Points,
     directed: false,
@@ -20,7 +20,7 @@ pub static POINTS: Description = Description {
     }],
     refused_keys: &[Keys {
         keys: &["maps.direction", "maps.aspect", "maps.duty"],
-        reason: "Of a field of points the spacing of the points can have a map, and the area of what is dark",
+        reason: "In a field of points only the spacing of the points and the area of the dark parts can have maps",
     }],
     ..Description::PLAIN
 };

@@ -8,13 +8,13 @@ use crate::grid::{Domain, Field};
 
 /// A field of points that grows.
 pub struct FieldGrowth {
-    /// The octaves, each with its share.
+    /// The octaves, each with its weight.
     octaves: Vec<(u32, f32)>,
-    /// The sum of those that are done.
+    /// The weighted sum of the finished octaves.
     sum: Vec<f32>,
-    /// Their points.
+    /// Number of their points.
     points: usize,
-    /// How many are done.
+    /// Number of finished octaves.
     done: usize,
     /// The octave whose points appear.
     appearing: Option<Appearing>,
@@ -24,9 +24,9 @@ pub struct FieldGrowth {
 struct Appearing {
     valued: Valued,
     directions: Vec<[f64; 2]>,
-    /// The next stage.
+    /// Index of the next stage.
     stage: usize,
-    /// What there is, with the octaves before.
+    /// The sum with the previous octaves.
     field: Option<Vec<f32>>,
 }
 
@@ -42,9 +42,11 @@ impl FieldGrowth {
     }
 
     /// Does the next step: lays the points of an octave, shows some of them, or adds them. Returns whether all is done.
+    /// Does the next step: lays the points of an octave, shows some of them, or adds them. Returns whether all octaves are
+    /// finished.
     ///
-    /// The points of each octave appear in `stages`, less one, in the order in which they were laid; those that have not yet count
-    /// as 0.
+    /// The points of each octave appear in `stages` − 1 stages, in the order in which they were laid; points that have not appeared
+    /// count as 0.
     pub fn advance(&mut self, field: &PointField, stages: usize) -> bool {
         let Some((octave, share)) = self.octaves.get(self.done).copied() else { return true };
         let Some(mut appearing) = self.appearing.take() else {
@@ -70,7 +72,7 @@ impl FieldGrowth {
         self.done == self.octaves.len()
     }
 
-    /// The sum with the current octave, of which the points have these `values`.
+    /// The sum including the current octave, whose points have these `values`.
     fn with(&self, field: &PointField, appearing: &Appearing, share: f32, values: &[f32]) -> Vec<f32> {
         let total: f32 = self.octaves.iter().map(|(_, share)| share).sum();
         let spread = field.spread(&appearing.valued.graph, values, &appearing.directions);
@@ -78,20 +80,20 @@ impl FieldGrowth {
         self.sum.iter().zip(&spread).map(|(sum, value)| sum + share / total * folded(*value)).collect()
     }
 
-    /// What there is of the octave that appears.
+    /// The field with the part of the current octave that has appeared.
     #[must_use]
     pub fn appearing(&self, field: &PointField) -> Option<Field> {
         let values = self.appearing.as_ref()?.field.clone()?;
         Some(Field::new(&field.grid, values))
     }
 
-    /// How many octaves are done, as a share, 0..1.
+    /// Share of the octaves that are finished, 0..1.
     #[must_use]
     pub fn progress(&self) -> f64 {
         self.done as f64 / self.octaves.len().max(1) as f64
     }
 
-    /// The field, 0..1, and how many points it is made of.
+    /// The field, 0..1, and its number of points.
     #[must_use]
     pub fn complete(self, field: &PointField) -> (Field, usize) {
         (Field::new(&field.grid, self.sum), self.points)

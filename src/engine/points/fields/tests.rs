@@ -115,7 +115,7 @@ fn more_passes_make_a_longer_border() {
 }
 
 #[test]
-fn weights_are_shifted_to_the_side_that_is_asked_for() {
+fn weights_are_shifted_in_the_given_direction() {
     let with = |strength: f64, shift: Shift| {
         let ours = PointField { nearest: true, strength, shift, ..field(Labelling::Values(1), &|_| 10.0) };
         ours.grow().0.values
@@ -129,7 +129,7 @@ fn weights_are_shifted_to_the_side_that_is_asked_for() {
 }
 
 #[test]
-fn the_number_of_points_is_known_before() {
+fn the_number_of_points_is_estimated_in_advance() {
     let distance: ByPlace = &|at| 5.0 + 0.05 * at[0];
     let ours = PointField { distances: [5.0, 11.0], octaves: 2, ..field(Labelling::Values(1), distance) };
     let (_, points) = ours.grow();

@@ -31,7 +31,7 @@ fn case(wrap: [bool; 2], count: usize, cell: f64) -> Case {
     }
 }
 
-/// The weight of a point at `displacement` from it, by equations 1, 2 and 4 as they stand.
+/// The weight of a point at `displacement` from it, directly by equations 1, 2 and 4.
 fn weight(graph: &Delaunay, point: usize, displacement: [f64; 2], weights: &Weights) -> f64 {
     let mut product = 1.0;
     for axis in graph.axes(point) {
@@ -51,8 +51,8 @@ fn weight(graph: &Delaunay, point: usize, displacement: [f64; 2], weights: &Weig
     libm::pow(product, if k >= 0.0 { 1.0 - k } else { 1.0 / (1.0 + k) })
 }
 
-/// Every point and image of one near the canvas at every px: [`interpolate`] without any cleverness. Gives the value, the sum
-/// of weights and the number of supports.
+/// Reference for [`interpolate`] that adds every point and every image near the canvas at every px. Returns the value, the sum of
+/// weights and the number of supports.
 fn plain(case: &Case, at: [f64; 2], weights: &Weights) -> (f64, f64, usize) {
     let (mut sum, mut total, mut supports) = (0.0, 0.0, 0);
     let shifts = |axis: usize| if case.graph.extent.wrap[axis] { -3..=3 } else { 0..=0 };
@@ -72,7 +72,7 @@ fn plain(case: &Case, at: [f64; 2], weights: &Weights) -> (f64, f64, usize) {
 }
 
 #[test]
-fn the_fast_sum_is_the_plain_one() {
+fn the_fast_sum_agrees_with_the_direct_one() {
     for (wrap, count, cell) in [
         ([true; 2], 60, 1.0),
         ([false; 2], 60, 2.0),
@@ -89,7 +89,7 @@ fn the_fast_sum_is_the_plain_one() {
                 let field = interpolate(&case.graph, &case.values, &case.grid, &weights);
                 for (cell, value) in field.values.iter().enumerate().step_by(37) {
                     let (expected, total, _) = plain(&case, case.grid.center_px(cell), &weights);
-                    // Where the weights together are tiny, at L = .6, an f32 product is not exact.
+                    // Where the sum of the weights is tiny, at L = .6, an f32 product is not accurate.
                     let allowed = if total > 1e-3 { 2e-5 } else { 0.05 };
                     let apart = (f64::from(*value) - expected).abs();
                     assert!(apart < allowed, "{wrap:?}, {count}, L {length}, {shifted}: {value}, {expected}");
@@ -144,7 +144,7 @@ fn the_number_of_threads_changes_no_bit() {
 
 #[test]
 fn a_tile_has_no_seam() {
-    // The same points moved by a whole number of px give the field moved by as many.
+    // The same points moved by a whole number of px give the field moved by the same number.
     let case = case([true; 2], 70, 1.0);
     let moved: Vec<[f64; 2]> = case.graph.points.iter().map(|[x, y]| [x + 40.0, y + 25.0]).collect();
     let moved = Delaunay::new(&moved, case.graph.extent);
@@ -188,7 +188,7 @@ fn a_canvas_without_points_is_0() {
 }
 
 #[test]
-fn a_field_that_is_updated_is_that_of_the_new_values() {
+fn an_updated_field_equals_a_field_interpolated_anew() {
     let case = case([true; 2], 60, 1.0);
     let interpolator = Interpolator::new(&case.graph, &case.grid, &Weights::default());
     let old: Vec<f32> = (0..60u8).map(|point| f32::from(point % 7)).collect();

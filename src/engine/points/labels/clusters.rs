@@ -6,16 +6,16 @@ use rand::{Rng, RngExt};
 
 use crate::points::delaunay::Delaunay;
 
-/// In which order a cluster takes points.
+/// The order in which a cluster takes points.
 #[derive(Clone, Copy)]
 pub enum Order {
     /// Points with the fewest edges to the start first: compact clusters, a giraffe or jaguar (figure 22).
     BreadthFirst,
-    /// From the last point on, to its neighbours in random order: clumps with thin links between them (figure 23).
+    /// Neighbours of the last point first, in random order: clumps with thin links between them (figure 23).
     DepthFirst,
 }
 
-/// The cluster of each point, `None` for light ones: `size` points each, or as many as are free; then all their free
+/// The cluster of each point, `None` for light ones. A cluster has `size` points, or fewer if no more are free; then all their free
 /// neighbours are light (figure 21).
 pub fn clusters(
     graph: &Delaunay,
@@ -81,7 +81,7 @@ fn grow(
     taken
 }
 
-/// Fisher and Yates.
+/// Shuffles items (Fisher and Yates).
 pub(crate) fn shuffle(items: &mut [usize], rng: &mut impl Rng) {
     for last in (1..items.len()).rev() {
         let other = ((rng.random::<f64>() * (last + 1) as f64) as usize).min(last);

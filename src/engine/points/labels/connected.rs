@@ -7,10 +7,10 @@ use rand::{Rng, RngExt};
 
 use crate::points::delaunay::Delaunay;
 
-/// Whether each point is in the connected group: those drawn with the probability `start`, all points on the shortest paths
-/// along the graph between neighbours among them, and `rings` times the neighbours of all these.
+/// Whether each point is in the connected group: the points drawn with the probability `start`, all points on the shortest paths
+/// along the graph between neighbouring drawn points, and `rings` rings of neighbours round these.
 ///
-/// A start of 3–4 % gives a cracked net, with a third to a half of the points in it; from 40 % on hardly any point is left out.
+/// A start of 3–4 % gives a cracked net, with a third to a half of the points in it; from 40 % on nearly every point is in it.
 pub fn connected(graph: &Delaunay, start: f64, rings: usize, rng: &mut impl Rng) -> Vec<bool> {
     let ends: Vec<usize> = (0..graph.points.len()).filter(|_| rng.random::<f64>() < start).collect();
     let mut joined = net(graph, &ends, f64::NEG_INFINITY);
@@ -22,9 +22,9 @@ pub fn connected(graph: &Delaunay, start: f64, rings: usize, rng: &mut impl Rng)
     joined
 }
 
-/// Whether each point is one of the `ends` or on a shortest path along the graph between two neighbours among them whose edge has at
-/// least this `clearance`: the higher, the fewer paths, and the larger the holes between them. With one above minus infinity paths go by
-/// edges of a clearance from 0.2 on alone, so that they are connected in the interpolated field too.
+/// Whether each point is one of the `ends`, or on a shortest path along the graph between two ends that are neighbours by an edge
+/// of at least this `clearance`. The higher the clearance, the fewer the paths, and the larger the holes between them. If it is
+/// finite, paths use only edges of a clearance of at least 0.2, so that they are connected in the interpolated field too.
 #[must_use]
 pub fn net(graph: &Delaunay, ends: &[usize], clearance: f64) -> Vec<bool> {
     let mut joined = vec![false; graph.points.len()];
@@ -43,15 +43,17 @@ pub fn net(graph: &Delaunay, ends: &[usize], clearance: f64) -> Vec<bool> {
     joined
 }
 
-/// A path along the graph is at most so many times as long as the straight way: 1.998 is proven for Delaunay graphs (G. Xia,
-/// SIAM Journal on Computing 42, 2013). Round a tile another way may be shorter still.
+/// Largest length of a path along the graph ÷ straight distance: 1.998 is proven for Delaunay graphs (G. Xia, SIAM Journal on
+/// Computing 42, 2013). On a tile, the path the other way round may be shorter still.
 const DETOUR: f64 = 2.0;
-/// Edges of less clearance pass between two points that are nearer to them than their ends: where these are light, the line breaks.
+/// Least clearance of the edges of paths. Edges of less clearance pass between two points that are nearer to them than their ends:
+/// if these points are light, the line breaks.
 const WIDE: f64 = 0.2;
 
-/// Shortest paths by Dijkstra; what a search touched is undone after it, so that one costs no more than what it touches.
+/// Shortest paths by Dijkstra's algorithm. After a search, only the touched entries are reset, so the cost of a search depends only
+/// on them.
 struct Search {
-    /// The least clearance of the edges that paths take.
+    /// The least clearance of the edges of paths.
     least: f64,
     length: Vec<f64>,
     before: Vec<u32>,
@@ -85,7 +87,7 @@ impl Search {
                 let total = length + libm::hypot(axis.displacement[0], axis.displacement[1]);
                 if total < self.length[next] && total <= limit {
                     self.reach(next, total, point);
-                    // The bits of positive numbers are in the order of the numbers.
+                    // The bits of positive floating-point numbers are ordered like the numbers.
                     open.push((Reverse(total.to_bits()), next));
                 }
             }

@@ -5,7 +5,7 @@ use rand::Rng;
 use super::clusters::shuffle;
 use crate::points::delaunay::Delaunay;
 
-/// The group of each point: `size` neighbours each, taken nearest to the first one; fewer where no more are free.
+/// The group of each point: `size` neighbours each, the nearest to the first one; fewer if no more are free.
 pub fn groups(graph: &Delaunay, size: usize, rng: &mut impl Rng) -> Vec<u32> {
     let mut group: Vec<Option<u32>> = vec![None; graph.points.len()];
     let mut starts: Vec<usize> = (0..graph.points.len()).collect();

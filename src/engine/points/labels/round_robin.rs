@@ -1,4 +1,4 @@
-//! Clusters that take turns: each claims the best of the free points beside it (the paper's figures 24 and 25).
+//! Clusters that claim points in turn: each claims the best of the free points beside it (the paper's figures 24 and 25).
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -7,31 +7,32 @@ use crate::points::delaunay::Delaunay;
 
 /// The rules of [`round_robin`].
 pub trait Claim {
-    /// The cost at which a cluster takes a point at `displacement`, px, from its centre, positive: it takes the cheapest. `None` if
-    /// it never does.
+    /// The cost, positive, at which a cluster claims a point at `displacement`, px, from its centre. The cluster claims the
+    /// cheapest point. `None` if it must not claim the point.
     fn cost(&self, cluster: usize, point: usize, displacement: [f64; 2]) -> Option<f64>;
 
-    /// Whether a cluster that has claimed the points of this `area`, px², still wants one of `next` px².
+    /// Whether a cluster that has claimed the `area`, px², should also claim a point of the area `next`, px².
     fn wants(&self, cluster: usize, area: f64, next: f64) -> bool;
 
-    /// The clearance below which an edge counts as none, where clusters stay apart: they grow along the others alone, and none takes
-    /// a point beside another's, or opposite to one across an edge that counts as none. With one above 0 what is joined and
-    /// what is apart in the graph is so in the interpolated field too. `None`: clusters meet.
+    /// The clearance below which an edge is ignored, if clusters are to stay apart. They grow only along the other edges, and none
+    /// claims a point that is a neighbour of another cluster's point, or opposite to one across an ignored edge. With a clearance
+    /// above 0, points are connected in the interpolated field exactly where they are connected in the graph. `None`: clusters may
+    /// touch.
     fn clearance(&self) -> Option<f64>;
 }
 
-/// One cluster as it grows.
+/// A growing cluster.
 #[derive(Default)]
 struct Front {
     area: f64,
-    /// Free points beside it by cost, each with the way from the centre.
+    /// Free points beside it by cost, each with its displacement from the centre.
     open: BinaryHeap<Reverse<(u64, u32)>>,
     ways: Vec<(u32, [f64; 2])>,
     done: bool,
 }
 
-/// The cluster of each point that has one, and the area that each cluster has claimed, px². `centers` are indices of points;
-/// `taken` points belong to nobody and, where clusters stay apart, keep them off.
+/// The cluster of each claimed point, and the area claimed by each cluster, px². `centers` are indices of points. `taken` points
+/// are not claimed; if clusters are to stay apart, they keep a distance from these points too.
 pub fn round_robin(
     graph: &Delaunay,
     centers: &[usize],
@@ -84,7 +85,7 @@ pub fn round_robin(
 impl Front {
     fn offer(&mut self, claim: &impl Claim, cluster: usize, point: usize, displacement: [f64; 2]) {
         if let Some(cost) = claim.cost(cluster, point, displacement) {
-            // The bits of positive numbers are in the order of the numbers.
+            // The bits of positive floating-point numbers are ordered like the numbers.
             self.open.push(Reverse((cost.max(0.0).to_bits(), self.ways.len() as u32)));
             self.ways.push((point as u32, displacement));
         }
@@ -101,7 +102,7 @@ impl Front {
     }
 }
 
-/// Whether each point is inside its cluster: it and all its neighbours have the same owner. The others, and `rings` times
+/// Whether each point is inside its cluster: it and all its neighbours have the same owner. The other points, and `rings` rings of
 /// their neighbours, are border (the paper: one ring for thick borders).
 #[must_use]
 pub fn bordered(graph: &Delaunay, owner: &[Option<u32>], rings: usize) -> Vec<bool> {

@@ -1,4 +1,5 @@
-//! The space giraffe: rays of two points, dark inside and light outside, round each centre (the paper's figure 12).
+//! The space giraffe: rays of two points each, the inner one dark and the outer one light, round each centre (the paper's figure
+//! 12).
 
 use std::ops::Range;
 
@@ -6,11 +7,11 @@ use rand::{Rng, RngExt};
 
 use crate::points::delaunay::Delaunay;
 
-/// Radii of the points, in halves of the distance to the nearest centre. The paper prints 0–1, which falls to fragments.
+/// Radii of the points, in halves of the distance to the nearest centre. The paper prints 0–1, which breaks into fragments.
 const RADII: Range<f64> = 0.5..1.0;
 
-/// Points and labels for cells round the points of `centers`: of each the centre and `rays.start` to `rays.end` − 1 rays (the
-/// paper takes 10–20) with a dark point and a light one farther out.
+/// Points and labels for cells round the points of `centers`: each centre, and `rays.start` to `rays.end` − 1 rays round it (the
+/// paper uses 10–20), each with a dark point and a light one farther out.
 pub fn space_giraffe(
     centers: &Delaunay,
     rays: &Range<usize>,

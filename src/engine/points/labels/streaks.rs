@@ -1,6 +1,6 @@
-//! Depth-first clusters that keep going: chains of points along a direction, each a ragged stripe (after the paper's figure 23).
+//! Depth-first clusters that keep their direction: chains of points, each a ragged stripe (after the paper's figure 23).
 //!
-//! [`clusters()`](super::clusters()) go back where they find no way on, and so make clumps. These do not go back.
+//! [`clusters()`](super::clusters()) backtrack where they find no free point, and so form clumps. Streaks do not backtrack.
 
 use rand::Rng;
 
@@ -9,18 +9,19 @@ use super::normal;
 use crate::marks::turn;
 use crate::points::delaunay::{Axis, Delaunay};
 
-/// Standard deviation, degrees, of the turns by which neighbours are sorted: .15 rad, as for clusters.
+/// Standard deviation, degrees, of the noise added to the angles by which neighbours are sorted: .15 rad, the same as for clusters.
 const JITTER: f64 = 8.6;
-/// A chain turns by no more than this from the direction, degrees: the next neighbours of a point are 60° apart.
+/// Largest angle, degrees, between a step of a chain and the direction: the neighbours of a point are 60° apart.
 const WIDEST: f64 = 50.0;
-/// Edges of less clearance count as none, so that a chain is one in the interpolated field too.
+/// Edges of less clearance are ignored, so that a chain is connected in the interpolated field too.
 const CLEARANCE: f64 = 0.2;
 
-/// A chain of fewer points would be a dot: these stay light.
+/// Least number of points in a chain: shorter chains would be dots and stay light.
 const LEAST: usize = 3;
 
-/// The chain of each point, `None` for light ones: `size` points each, or as many as find a way on, from a start both ways along the
-/// `direction` at each point, degrees; then all their free neighbours are light. Where `size` is 0 all are.
+/// The chain of each point, `None` for light points. Each chain has `size` points, or fewer if it finds no further one, and grows
+/// from its start both ways along the `direction`, degrees, at each point. Then all its free neighbours are light. Where `size` is
+/// 0 all points are light.
 pub fn streaks(
     graph: &Delaunay,
     size: impl Fn([f64; 2]) -> usize,
@@ -66,7 +67,7 @@ pub fn streaks(
     owner
 }
 
-/// The free neighbour of a point that turns least from the `direction`, degrees, or with `sign` −1 from its reverse.
+/// The free neighbour of a point with the least angle to the `direction`, degrees, or for `sign` −1 to its reverse.
 fn ahead(
     graph: &Delaunay,
     point: usize,

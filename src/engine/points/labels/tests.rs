@@ -16,7 +16,7 @@ fn graph(radius: f64, seed: u64) -> Delaunay {
     Delaunay::new(&points, TILE)
 }
 
-/// The sizes of the parts into which the graph falls where only points of the same cluster are joined.
+/// The sizes of the connected parts if only points of the same cluster are joined.
 fn parts(graph: &Delaunay, owner: &[Option<u32>]) -> Vec<usize> {
     let mut seen = vec![false; owner.len()];
     let mut sizes = Vec::new();
@@ -134,7 +134,7 @@ impl Claim for Meeting {
 }
 
 #[test]
-fn in_round_robin_clusters_share_all_points_in_equal_turns() {
+fn round_robin_clusters_share_all_points_equally() {
     let graph = graph(4.0, 7);
     let centers: Vec<usize> = (0..40).map(|k| 31 * k).collect();
     let (owner, areas) = round_robin(&graph, &centers, &[], &Meeting);
@@ -151,7 +151,7 @@ fn in_round_robin_clusters_share_all_points_in_equal_turns() {
 }
 
 #[test]
-fn connected_points_are_one_part_however_few_it_starts_from() {
+fn connected_points_are_one_part_for_any_start() {
     let graph = graph(3.0, 8);
     let mut shares = Vec::new();
     for (start, rings) in [(0.01, 0), (0.03, 0), (0.03, 1), (0.4, 0)] {

@@ -1,8 +1,9 @@
-//! What the rest of the program has to know of streaks and cracks.
+//! The descriptions of streaks and cracks.
 
 use crate::attributes::system::{Description, Family, Keys, LookupBy, MarkKind, picture};
 
-/// What streaks and cracks share. Width and share are found for each growth, so that there are no training rows.
+/// The common part of the descriptions of streaks and cracks. Width and share are found for each pattern, so there are no training
+/// rows.
 const LINES: Description = Description {
     kind: Family::Lines,
     marks: MarkKind::Stripes,
@@ -16,7 +17,7 @@ pub static STREAKS: Description = Description {
     name: "streaks",
     title: "Streaks",
     noun: "streaks",
-    help: "Ragged stripes with ends, as on a tiger, along the drawn lines and as wide",
+    help: "Ragged stripes with ends, as on a tiger, along the drawn lines and with their width",
     picture: picture!("streaks"),
     option_keys: &["duty", "detail"],
     own_keys: &[Keys {
@@ -31,7 +32,7 @@ pub static CRACKS: Description = Description {
     name: "cracks",
     title: "Cracks",
     noun: "cracks",
-    help: "A net as of cracked mud: lines as wide as drawn, meshes as far apart as the drawn lines leave room",
+    help: "A net like the cracks in dry mud: lines of the drawn width, meshes as wide as the spaces between the drawn lines",
     picture: picture!("cracks"),
     directed: false,
     option_keys: &["duty"],

@@ -5,14 +5,14 @@ use crate::points::appearance::Appearance;
 use crate::points::delaunay::Delaunay;
 use crate::points::interpolation::{Weights, interpolate};
 
-/// L of the interpolation, as of patches.
+/// L of the interpolation, the same as for patches.
 const LENGTH: f64 = 1.2;
 
 /// The points of lines.
 pub struct LaidLines {
     pub(super) graph: Delaunay,
     pub(super) values: Vec<f32>,
-    /// The points where lines begin in a film.
+    /// The points from which the lines appear in a film.
     pub(super) starts: Vec<usize>,
 }
 
@@ -23,7 +23,7 @@ impl LaidLines {
         self.spread(&self.values, grid)
     }
 
-    /// The order in which the lines appear: streaks from their middles on, cracks from some of the knots.
+    /// The order in which the lines appear: streaks from their middles, cracks from some of the knots.
     #[must_use]
     pub fn appearance(&self) -> Appearance {
         Appearance::along(&self.graph, &self.values, &self.starts)
@@ -40,7 +40,7 @@ impl LaidLines {
     }
 }
 
-/// The point of each chain that is nearest to the middle of its points; a chain across the border of a tile may begin at its end.
+/// For each chain, the point that is nearest to the mean of its points. A chain across the border of a tile may start at its end.
 pub(super) fn middles(graph: &Delaunay, owner: &[Option<u32>]) -> Vec<usize> {
     let chains = owner.iter().flatten().max().map_or(0, |last| *last as usize + 1);
     let mut sums = vec![([0.0; 2], 0.0); chains];

@@ -1,8 +1,8 @@
-//! What the rest of the program has to know of patches.
+//! The description of patches.
 
 use crate::attributes::system::{Description, Family, Keys, LookupBy, picture};
 
-/// Patches as a system of spots. They follow from [`laws`](super::laws), so that there are no training rows.
+/// Patches as a system of spots. Their rules follow from [`laws`](super::laws), so there are no training rows.
 pub static PATCHES: Description = Description {
     name: "patches",
     title: "Patches",

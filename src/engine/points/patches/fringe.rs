@@ -1,4 +1,4 @@
-//! The noise that makes patches ragged, at the scale of the wanted detail however fine the points are.
+//! The noise that makes patches ragged, at the scale of the wanted detail for any density of points.
 
 use rand::Rng;
 
@@ -6,12 +6,12 @@ use crate::points::delaunay::Delaunay;
 use crate::points::labels::normal;
 use crate::points::ways::ways;
 
-/// Shares of the noise that points have in common with the nearest of the coarse ones, and that each has of its own: the squares
-/// add up to 1. In common alone, edges show the coarse cells.
+/// Weights of the noise of the nearest coarse point and of a point's own noise; the squares add up to 1. With the common noise
+/// alone, edges would show the coarse cells.
 const COMMON: [f64; 2] = [0.8, 0.6];
 
-/// Standard normal noise of each point of `graph`, whose first `coarse` points are as far apart as the detail wants: others share
-/// most of theirs with the nearest of these along the graph.
+/// Standard normal noise of each point of `graph`. The first `coarse` points are as far apart as the wanted detail; the other
+/// points share most of their noise with the nearest of these along the graph.
 pub fn fringe(graph: &Delaunay, coarse: usize, rng: &mut impl Rng) -> Vec<f64> {
     let own: Vec<f64> = graph.points.iter().map(|_| normal(rng)).collect();
     let nearest = ways(graph, 0..coarse, |_| true).from;
@@ -30,7 +30,7 @@ mod tests {
     use rand_pcg::Pcg64Mcg;
 
     #[test]
-    fn points_share_the_noise_of_the_coarse_point_they_are_near() {
+    fn points_share_the_noise_of_the_nearest_coarse_point() {
         let extent = Extent { size: [40.0, 10.0], wrap: [false; 2] };
         let row: Vec<[f64; 2]> = [5.0, 35.0, 10.0, 15.0, 25.0, 30.0].map(|x| [x, 5.0 + 0.01 * x]).to_vec();
         let graph = Delaunay::new(&row, extent);

@@ -1,4 +1,4 @@
-//! Gaps between drawn marks: they were drawn, and no patch fills them.
+//! Gaps between drawn marks, where no patch is to be laid.
 
 use crate::points::centers::Pitch;
 use crate::points::extent::Extent;
@@ -6,12 +6,13 @@ use crate::points::metric::Metric;
 
 /// Marks nearer than this, in spacings, are neighbours of a place. Not tuned: the first ring of a lattice and a margin.
 const BESIDE: f64 = 1.4;
-/// Neighbours surround a place where no angle between two of them is larger, radians: outside of a row of marks it is π or more.
+/// Largest angle, radians, between successive neighbours that surround a place: outside of a row of marks it is π or more.
 const LARGEST: f64 = 0.8 * std::f64::consts::PI;
-/// A place among neighbours that is nearer to one than this, in spacings, is a gap. Where a mark of a lattice is left out it is 1. Not tuned.
+/// A place among neighbours that is nearer to one of them than this, in spacings, is a gap. Where a mark of a lattice is missing,
+/// the distance is 1. Not tuned.
 const NEAR: f64 = 0.9;
 
-/// Whether a place lies among the centres of drawn marks, and nearer to one than marks lie to each other.
+/// Whether a place lies among the centres of drawn marks, nearer to one of them than the marks are to each other.
 pub(super) fn is_gap(
     at: [f64; 2],
     drawn: &[[f64; 2]],

@@ -19,7 +19,7 @@ pub struct PatchGrowth {
     state: State,
 }
 
-/// What has been done.
+/// The finished steps.
 #[derive(Default)]
 enum State {
     #[default]
@@ -28,9 +28,9 @@ enum State {
     Laid { laid: Vec<[f64; 2]>, rng: Pcg64Mcg },
     /// The fine points are laid.
     Scattered { laid: Vec<[f64; 2]>, graph: Box<Delaunay>, noise: Vec<f64>, rng: Pcg64Mcg },
-    /// The points appear; the next of the stages.
+    /// The points appear; the number of the next stage.
     Appearing { grown: GrownPatches, shown: Box<Shown>, stage: usize },
-    /// All is there.
+    /// All patches are grown.
     Grown(GrownPatches),
 }
 
@@ -39,14 +39,14 @@ struct Shown {
     graph: Delaunay,
     values: Vec<f32>,
     appearance: Appearance,
-    /// The field of those that have appeared.
+    /// The field of the points that have appeared.
     field: Option<Field>,
 }
 
 impl PatchGrowth {
     /// Does the next step. Returns whether all is done.
     ///
-    /// With `stages` above 1 the points then appear so many times less one, from the centres of the patches outward: see
+    /// If `stages` is above 1, the points then appear in `stages` − 1 stages, from the centres of the patches outward: see
     /// [`PatchGrowth::appearing`].
     pub fn advance(&mut self, patches: &Patches, stages: usize) -> bool {
         let extent = Extent::from(patches.grid.bounds_px());
@@ -90,7 +90,7 @@ impl PatchGrowth {
         Some((stage - 1, shown.field.as_ref()?))
     }
 
-    /// What has grown.
+    /// The grown patches; `None` before all is done.
     #[must_use]
     pub fn complete(self) -> Option<GrownPatches> {
         if let State::Grown(grown) = self.state { Some(grown) } else { None }
@@ -119,7 +119,7 @@ fn labelled(
             inside[*patch as usize] += graph.area_inside(point);
         }
     }
-    // Of a cut patch the part that is inside; of a cramped one what it has.
+    // For a patch that is cut by the border, the share of its area inside; for a cramped one, the claimed area.
     let share_inside = |patch: usize| if claimed[patch] > 0.0 { inside[patch] / claimed[patch] } else { 0.0 };
     let reached = |patch: usize| rules.areas[patch].min(claimed[patch] / CRAMPED);
     let covered: f64 = (0..laid.len()).map(|patch| reached(patch) * share_inside(patch)).sum();

@@ -1,4 +1,4 @@
-//! Kept outlines: patches that are where and as they were drawn.
+//! Kept outlines: patches that are reproduced as drawn.
 
 use rayon::prelude::*;
 
@@ -6,10 +6,10 @@ use super::{Outline, Outlines, Patches};
 use crate::grid::Field;
 use crate::points::discs::POINTS_A_SQUARE;
 
-/// Distance from a kept outline at which the field reaches 0 and 1, in radii of the discs that [`Patches::KEPT_DETAIL`] means.
+/// Distance from a kept outline at which the field reaches 0 and 1, in radii of the discs for [`Patches::KEPT_DETAIL`] points.
 const SLOPE: f64 = 2.0;
 
-/// Radius of the discs of which the area of an outline would hold [`Patches::KEPT_DETAIL`], px: the scale of its smallest details.
+/// Radius, px, of discs of which the area of an outline would hold [`Patches::KEPT_DETAIL`]: the scale of its smallest details.
 pub(super) fn fine(outline: &Outline) -> f64 {
     (POINTS_A_SQUARE * outline.area() / Patches::KEPT_DETAIL).sqrt()
 }
@@ -19,8 +19,8 @@ pub fn slope(outline: &Outline) -> f64 {
     SLOPE * fine(outline)
 }
 
-/// Puts the outlines into a field whose patches are above ½: it is ½ along them. In a film, in which the `share` of the patches is there,
-/// they are smaller and grow from within.
+/// Puts the outlines into a field whose patches are above ½: it is ½ along them. In a film in which the `share` of the patches has
+/// appeared, they are smaller and grow from within.
 pub(super) fn put(field: &mut Field, kept: &Outlines, share: f64) {
     let reach = kept.iter().map(slope).fold(0.0, f64::max);
     if reach == 0.0 {
@@ -32,7 +32,7 @@ pub(super) fn put(field: &mut Field, kept: &Outlines, share: f64) {
         let at = grid.center_px(cell);
         for outline in kept.near(at, reach) {
             let slope = slope(outline);
-            // What is 1 stays so, and beyond its slope an outline adds nothing.
+            // Cells with the value 1 do not change, and farther away than its slope an outline adds nothing.
             if *value >= 1.0 || outline.away(at, extent) >= slope {
                 continue;
             }
@@ -43,7 +43,7 @@ pub(super) fn put(field: &mut Field, kept: &Outlines, share: f64) {
     });
 }
 
-/// Whether a place is in a kept outline or nearer to one than `clearance` px.
+/// Whether a place is in a kept outline or within `clearance` px of one.
 pub(super) fn is_beside(at: [f64; 2], kept: &Outlines, clearance: f64) -> bool {
     kept.near(at, clearance).any(|outline| outline.depth(at, kept.extent()) > -clearance)
 }

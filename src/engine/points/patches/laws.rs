@@ -1,17 +1,17 @@
-//! Which rules of the claims give which shapes: fitted to 768² px tiles of patches of 1,500 px² with coverages of .15–.72,
-//! aspects of .4–1, σ of 0–1 and 12–100 points a patch (two seeds each, `facts.md` U).
+//! Rules of the claims for given shapes: fitted to 768² px tiles of patches of 1,500 px² with coverages of .15–.72, aspects of
+//! .4–1, σ of 0–1 and 12–100 points in each patch (two seeds each, `facts.md` U).
 //!
 //! ```text
 //! raggedness = R₀ + E(σ, dense)·(k ÷ 24)^(.65·(1 − dense))·(1 − .23·(1 − aspect)),  R₀ = 1.137 − .1·log₁₀(k ÷ 24)
 //! λ²(measured) = (c·λ)² + n²,  λ = −ln aspect,  c = 1 − .55·σ,  n = .09 + .38·σ
 //! ```
-//! where E is read from the table `EXCESS`, k is the points a patch, and dense rises from 0 at a
-//! coverage of .15 to 1 at .55.
+//! where E is read from the table `EXCESS`, k is the number of points in a patch, and dense rises from 0 at a coverage of .15 to 1
+//! at .55.
 
 use super::{Patches, Wanted};
 use crate::attributes::Spread;
 
-/// Beyond this patches find no room, however fine the points.
+/// The largest coverage: beyond it patches find no room, however fine the points.
 const MOST_COVERAGE: f64 = 0.8;
 
 /// The rules by which a patch claims points.
@@ -23,12 +23,12 @@ pub struct Shape {
     pub aspect: f64,
 }
 
-/// Share of the points that the law of rooms gives: with .7 and a coverage of .6 every tenth ragged patch finds no room, with 1 hardly
-/// any, at 1.4 times the time.
+/// Factor of the number of points from the rule for room (see [`Wanted::points`]): with .7 and a coverage of .6 every tenth ragged
+/// patch finds no room; with 1 hardly any, at 1.4 times the time.
 const ROOM: f64 = 0.8;
 
-/// σ, and the raggedness beyond that of σ = 0 with 24 points a patch: of patches that are far apart, and of dense ones, which
-/// have no room for long fringes.
+/// σ, and the increase of raggedness over σ = 0 with 24 points in a patch: for patches that are far apart, and for dense ones,
+/// which have no room for long fringes.
 const EXCESS: [[f64; 3]; 8] = [
     [0.0, 0.0, 0.0],
     [0.05, 0.027, 0.027],
@@ -39,31 +39,32 @@ const EXCESS: [[f64; 3]; 8] = [
     [0.7, 1.3, 0.72],
     [1.0, 1.55, 0.83],
 ];
-/// Coverages at which the two columns hold.
+/// Coverages for which the two columns hold.
 const COVERAGES: [f64; 2] = [0.15, 0.55];
-/// Raggedness at σ = 0 with 24 points a patch: that of the corners of cells.
+/// Raggedness at σ = 0 with 24 points in a patch, caused by the corners of the cells.
 const SMOOTHEST: f64 = 1.137;
-/// What a tenfold number of points takes from it: 1.16 with 12, 1.10 with 48.
+/// Decrease of that raggedness for ten times as many points: 1.16 with 12, 1.10 with 48.
 const SMOOTHER: f64 = 0.1;
-/// Growth of the excess with the number of points: 1.5 times for twice as many.
+/// Exponent of the number of points in the excess: 1.5 times the excess for twice as many points.
 const BY_POINTS: f64 = 0.65;
-/// What a long patch has less of it, at an aspect of 0.
+/// Relative decrease of the excess for long patches, at an aspect of 0.
 const BY_ASPECT: f64 = 0.23;
-/// n: −ln of the mean aspect of patches in a round metric, at σ = 0 and its growth with σ: .914, .89, .81, .715 at σ 0, .1, .3, .7.
+/// n: −ln of the mean aspect of patches in a round metric, at σ = 0 and its increase with σ: .914, .89, .81, .715 at σ 0, .1, .3,
+/// .7.
 const UNROUND: [f64; 2] = [0.09, 0.38];
-/// How much of −ln aspect is lost at σ = 1: an aspect of .4 becomes .457 at σ = .3, .5–.54 at .7.
+/// Relative loss of −ln aspect at σ = 1: an aspect of .4 becomes .457 at σ = .3, .5–.54 at .7.
 const LOST: f64 = 0.55;
-/// Share of the wanted −ln aspect that the metric has at least: in a round one patches would have no direction in common, and
-/// aspects are .03 too low at most.
+/// The least share of the wanted −ln aspect in the metric: in a round metric patches would have no common direction. Aspects are at
+/// most .03 too low by it.
 const DIRECTED: f64 = 0.5;
-/// The narrowest metric: patches of few points cannot be longer.
+/// The least aspect of the metric: patches of few points cannot be longer.
 const NARROWEST: f64 = 0.15;
 
 /// Coefficient of variation of the areas of equal patches: .09–.13 were measured at coverages of .3–.6.
 const UNEQUAL: f64 = 0.1;
 
-/// How much equal patches vary by themselves, except in their spacing. Shape and direction are one vector
-/// −ln aspect · (cos 2θ, sin 2θ), whose noise is n.
+/// The variation of patches for which no variation is wanted, except in their spacing. Shape and direction are one vector −ln
+/// aspect · (cos 2θ, sin 2θ), whose noise is n.
 #[must_use]
 pub fn own_spread(wanted: &Wanted, detail: f64) -> Spread {
     let noise = UNROUND[0] + UNROUND[1] * wanted.sigma(detail);
@@ -72,7 +73,7 @@ pub fn own_spread(wanted: &Wanted, detail: f64) -> Spread {
     Spread { area: UNEQUAL, angle, aspect: noise * wanted.aspect, spacing: 0.0 }
 }
 
-/// raggedness = smoothest + scale · E(σ).
+/// The terms of raggedness = smoothest + scale · E(σ).
 struct Excess {
     smoothest: f64,
     scale: f64,
@@ -81,25 +82,26 @@ struct Excess {
 }
 
 impl Wanted {
-    /// The share of the plane that the patches cover, 0..1: a hexagonal lattice has 2 ÷ √3 points in a squared spacing.
+    /// The share of the plane that the patches cover, 0..1: a hexagonal lattice has 2 ÷ √3 points in a square whose side is the
+    /// spacing.
     #[must_use]
     pub fn coverage(&self) -> f64 {
         self.area * 2.0 / (3f64.sqrt() * self.spacing * self.spacing)
     }
 
-    /// The spacing, px, at which patches of `area` px² cover this share of the plane.
+    /// The spacing, px, at which patches of `area` px² have this coverage.
     #[must_use]
     pub fn spacing_of_coverage(area: f64, coverage: f64) -> f64 {
         (area * 2.0 / (3f64.sqrt() * coverage)).sqrt()
     }
 
-    /// Points a patch where `detail` is wanted: more where patches are so dense that the light points between them would leave
-    /// them no room.
+    /// Number of points in a patch for a wanted `detail`: more than the detail if patches are so dense that the light points
+    /// between them would leave them no room.
     ///
-    /// A patch of k points is a disc of R = √(k ÷ π) of their distances. With one row of light points between two patches, and
-    /// as much lost to chance, it has the share (R ÷ (R + 1))² of the plane; .8 of that k is enough.
+    /// A patch of k points is a disc with the radius R = √(k ÷ π) of their distances. With one row of light points between two
+    /// patches, and as much lost to chance, its share is (R ÷ (R + 1))² of the plane; .8 of that k is enough.
     ///
-    /// Patches that are wanted smoother than `detail` points make them get as many as R₀ says.
+    /// If patches are wanted smoother than `detail` points make them, the number follows from R₀.
     #[must_use]
     pub fn points(&self, detail: f64) -> f64 {
         let side = self.coverage().clamp(0.0, MOST_COVERAGE).sqrt();
@@ -109,7 +111,7 @@ impl Wanted {
         room.max(detail).max(smooth).clamp(Patches::LEAST_DETAIL, Patches::MOST_DETAIL)
     }
 
-    /// The rules that give the wanted aspect and raggedness with `detail` points a patch; the nearest where none does.
+    /// The rules for the wanted aspect and raggedness with `detail` points in a patch; the nearest ones if they cannot be reached.
     #[must_use]
     pub fn shape(&self, detail: f64) -> Shape {
         let sigma = self.sigma(detail);
@@ -120,7 +122,7 @@ impl Wanted {
         Shape { sigma, aspect: libm::exp(-stretch).max(NARROWEST) }
     }
 
-    /// The raggedness of patches that grow with this σ and `detail` points a patch.
+    /// The raggedness of patches that grow with this σ and `detail` points in each.
     #[must_use]
     pub fn raggedness_of(&self, sigma: f64, detail: f64) -> f64 {
         let Excess { smoothest, scale, table } = self.excess(detail);
@@ -134,8 +136,7 @@ impl Wanted {
         smoothest + scale * excess
     }
 
-    /// The raggedness nearest to the wanted one that patches can have which are made from `detail` points, or from more where they are to
-    /// be smoother.
+    /// The reachable raggedness nearest to the wanted one, with `detail` points in a patch, or more if patches are to be smoother.
     #[must_use]
     pub fn nearest_raggedness(&self, detail: f64) -> f64 {
         let smoothest = self.raggedness_of(0.0, detail);
@@ -145,7 +146,7 @@ impl Wanted {
         self.raggedness_of(self.sigma(detail), detail)
     }
 
-    /// σ for the wanted raggedness.
+    /// The value of σ for the wanted raggedness.
     fn sigma(&self, detail: f64) -> f64 {
         let Excess { smoothest, scale, table } = self.excess(detail);
         let wanted = (self.raggedness - smoothest) / scale;
@@ -157,12 +158,12 @@ impl Wanted {
         table[table.len() - 1][0]
     }
 
-    /// What σ adds to the raggedness here.
+    /// The contribution of σ to the raggedness for this coverage, aspect and number of points.
     fn excess(&self, detail: f64) -> Excess {
         let points = detail.clamp(Patches::LEAST_DETAIL, Patches::MOST_DETAIL) / Patches::DETAIL;
         let [open, full] = COVERAGES;
         let share = ((self.coverage() - open) / (full - open)).clamp(0.0, 1.0);
-        // Room is lost faster the less there is: at .4 the excess is midway.
+        // Room shrinks faster for denser patches: at .4 the excess is midway.
         let dense = share * share;
         Excess {
             smoothest: SMOOTHEST - SMOOTHER * libm::log10(points),
@@ -186,7 +187,7 @@ mod tests {
     };
 
     #[test]
-    fn coverage_and_spacing_are_each_other_s_reverse() {
+    fn coverage_and_spacing_are_inverse_functions() {
         for coverage in [0.15, 0.4, 0.7] {
             let wanted = Wanted { spacing: Wanted::spacing_of_coverage(1500.0, coverage), ..PATCH };
             assert!((wanted.coverage() - coverage).abs() < 1e-12);
@@ -204,7 +205,7 @@ mod tests {
     }
 
     #[test]
-    fn more_raggedness_takes_more_noise_and_more_points_take_less() {
+    fn more_raggedness_needs_more_noise_and_more_points_need_less() {
         let sigma = |raggedness, detail| Wanted { raggedness, ..PATCH }.shape(detail).sigma;
         assert_eq!((sigma(1.0, 24.0), sigma(9.0, 24.0)), (0.0, 1.0));
         let rising: Vec<f64> = [1.15, 1.2, 1.4, 1.8, 2.2].map(|raggedness| sigma(raggedness, 24.0)).to_vec();

@@ -1,11 +1,11 @@
-//! What the level joins or tears though the graph does not: patches that merged, and islands off a patch.
+//! Repair of patches whose interpolated field is connected differently from the graph: merged patches, and islands beside a patch.
 
 use std::collections::BTreeMap;
 
 use crate::grid::{Domain, Edges, Field, UnionFind};
 use crate::points::delaunay::Delaunay;
 
-/// Whose the points are, and their values.
+/// The owners and the values of the points.
 pub struct Labelled {
     /// The patch of each point.
     pub owner: Vec<Option<u32>>,
@@ -13,19 +13,19 @@ pub struct Labelled {
     pub values: Vec<f32>,
 }
 
-/// Value of light points beside two patches. With 96 points a patch and coverages of .6 and .7, at 0 one patch in 170 merges, at −.3 one
-/// in 450; the lower, the farther is the level below ½.
+/// Value of light points beside two patches. With 96 points in each patch and coverages of .6 and .7, one patch in 170 merges at 0,
+/// one in 450 at −.3. The lower the value, the farther the level is below ½.
 const BETWEEN: f32 = -0.2;
-/// What a light point between patches that merge is lowered by.
+/// Decrease of the value of a light point between merged patches.
 const LOWERED: f32 = 0.5;
-/// The lowest value of a point: lower ones would eat into the patches themselves.
+/// The lowest value of a point: lower ones would shrink the patches themselves.
 const LOWEST: f32 = -2.0;
 
-/// The largest share of a patch's area that a hole in it may have to be filled: one of the seven points of the coarsest patches.
+/// The largest hole that is filled, as a share of the area of the patch: one of the seven points of the coarsest patches.
 const HOLE: f64 = 0.2;
 
-/// Gives the light points that one patch encloses to it: they would be pinholes. Light points joined by edges of at least the clearance
-/// `least` are one hole. Holes with a `taken` point, and those that reach beyond all points, stay.
+/// Assigns light points that one patch encloses to this patch: they would be pinholes. Light points joined by edges of at least the
+/// clearance `least` are one hole. Holes with a `taken` point, and holes that reach beyond all points, stay.
 pub fn fill(graph: &Delaunay, owner: &mut [Option<u32>], taken: &[bool], least: f64) {
     let mut areas: BTreeMap<u32, f64> = BTreeMap::new();
     for (point, owner) in owner.iter().enumerate() {
@@ -64,7 +64,8 @@ fn hole_from(graph: &Delaunay, start: usize, seen: &mut [bool], least: f64) -> V
     hole
 }
 
-/// The patch that all points beside a hole belong to which belong to any.
+/// The only patch among the owners of the points beside a hole; `None` if there is none or
+/// more than one, or if a point of the hole is taken.
 fn enclosing(graph: &Delaunay, hole: &[usize], owner: &[Option<u32>], taken: &[bool]) -> Option<u32> {
     let mut found = None;
     for &point in hole {
@@ -83,7 +84,7 @@ fn enclosing(graph: &Delaunay, hole: &[usize], owner: &[Option<u32>], taken: &[b
 }
 
 impl Labelled {
-    /// Gives light points beside two patches the value [`BETWEEN`].
+    /// Gives the value [`BETWEEN`] to light points beside two patches.
     pub fn part(&mut self, graph: &Delaunay, least: f64) {
         for point in self.light() {
             if between(graph, &self.owner, point, least, |one, other| one != other) {
@@ -96,8 +97,8 @@ impl Labelled {
         (0..self.owner.len()).filter(|point| self.owner[*point].is_none()).collect()
     }
 
-    /// Lowers the light points between patches that are one region of `field` above `level`, and makes islands off a patch light.
-    /// Whether there were such.
+    /// Lowers the light points between patches that form one region of `field` above `level`, and makes islands beside a patch
+    /// light. Returns whether there were any.
     pub fn mend(&mut self, graph: &Delaunay, least: f64, field: &Field, level: f32) -> bool {
         let lit = self.darken_islands(graph, field, level + MARGIN);
         let parted = self.part_merged(
@@ -137,11 +138,11 @@ impl Labelled {
     }
 }
 
-/// Which regions of a field the patches' points lie in.
+/// The regions of a field in which the patches' points lie.
 struct Parts {
-    /// Of each point of a patch on the canvas the region, if it is in one.
+    /// For each point of a patch on the canvas, its region, if any.
     region: Vec<Option<u32>>,
-    /// Patches in order, each with the region of the largest share of its points' area.
+    /// Patches in order, each with the region that holds the largest part of its points' area.
     main: Vec<(u32, u32)>,
 }
 
@@ -181,20 +182,21 @@ impl Parts {
     }
 }
 
-/// By what cells above a level are one region.
+/// The neighbourhood that joins cells above a level to one region.
 #[derive(Clone, Copy, PartialEq)]
 enum Touch {
-    /// A common side. The contour may join others too, so that what is apart here may be one patch.
+    /// A common side. The contour may join further cells, so that separate regions may be one patch.
     Sides,
-    /// A common side or corner. The contour may part some, so that what is one here may be two patches.
+    /// A common side or corner. The contour may separate some of them, so that one region may be two patches.
     Corners,
 }
 
-/// Regions are joined at the level less this and torn at the level and this: between the cells' centres the smooth surface may be
-/// higher or lower than at any of them.
+/// Regions are tested for joining at the level − this value, and for separation at the level + this value: between the cells'
+/// centres the smooth surface may be higher or lower than at any of them.
 const MARGIN: f32 = 0.03;
 
-/// Whether `two` patches lie beside a point, or opposite to it across an edge of less clearance than `least`.
+/// Whether two patches that fulfil the condition `two` both lie beside a point, or opposite to it across an edge of less clearance
+/// than `least`.
 fn between(
     graph: &Delaunay,
     owner: &[Option<u32>],
@@ -207,10 +209,10 @@ fn between(
     beside.iter().enumerate().any(|(k, one)| beside[..k].iter().any(|other| two(*one, *other)))
 }
 
-/// A cell that is not above the level.
+/// The region of a cell that is not above the level.
 const NOWHERE: u32 = u32::MAX;
 
-/// The region above `level` that each cell belongs to, by what they share.
+/// The region above `level` of each cell, for this neighbourhood.
 fn regions(field: &Field, level: f32, touch: Touch) -> Vec<u32> {
     let [nx, ny] = field.grid().size;
     let mut sets = UnionFind::default();
@@ -260,7 +262,7 @@ mod tests {
     use crate::points::metric::Metric;
 
     #[test]
-    fn regions_are_joined_across_the_border_of_a_tile_alone() {
+    fn regions_are_joined_across_borders_that_wrap_only() {
         let stripes = |edges| {
             Field::from_fn([9, 6], [1.0, 1.0], edges, |[x, _]| f32::from(u8::from((x - 4.5).abs() > 2.0)))
         };
@@ -287,7 +289,7 @@ mod tests {
             let field = cells(lit, Edges::Closed);
             assert_eq!([Touch::Sides, Touch::Corners].map(|touch| count(&field, touch)), [2, 1]);
         }
-        // The corners of a tile meet, and the last of a row meets the first of the next.
+        // The corners of a tile touch each other, and so do the last cell of a row and the first cell of the next.
         for lit in [&[[0, 0], [5, 5]], &[[5, 2], [0, 3]], &[[2, 5], [3, 0]]] {
             let of = |edges| [Touch::Sides, Touch::Corners].map(|touch| count(&cells(lit, edges), touch));
             assert_eq!([of(Edges::Closed), of(Edges::Wrap)], [[2, 2], [2, 1]]);

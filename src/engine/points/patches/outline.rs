@@ -1,20 +1,21 @@
-//! A drawn closed outline: inside or outside, and how far.
+//! A drawn closed outline, and the distance of places from it, inside and outside.
 
 use crate::marks::{Moments, distance_to_segment};
 use crate::points::extent::Extent;
 
-/// A closed polygon, px, with what is asked of it often.
+/// A closed polygon, px, with properties that are computed once.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outline {
     points: Vec<[f64; 2]>,
     center: [f64; 2],
     area: f64,
-    /// Low and high corner of its box.
+    /// Low and high corner of its bounding box.
     bounds: [[f64; 2]; 2],
 }
 
 impl Outline {
-    /// The outline with these corners, at least three, that enclose an area; `None` of others. The last is joined to the first.
+    /// The outline with these corners; `None` for fewer than three, or if they enclose no area. The last one is joined to the
+    /// first.
     #[must_use]
     pub fn new(points: Vec<[f64; 2]>) -> Option<Self> {
         let moments = Moments::polygon(&points);
@@ -35,13 +36,13 @@ impl Outline {
         &self.points
     }
 
-    /// Low and high corner of its box, px.
+    /// Low and high corner of its bounding box, px.
     #[must_use]
     pub fn corners(&self) -> [[f64; 2]; 2] {
         self.bounds
     }
 
-    /// No point of it is farther from its centroid, px.
+    /// The largest distance of its points from its centroid, px.
     #[must_use]
     pub fn radius(&self) -> f64 {
         let off = |at: &[f64; 2]| libm::hypot(at[0] - self.center[0], at[1] - self.center[1]);
@@ -60,7 +61,8 @@ impl Outline {
         self.area
     }
 
-    /// How far outside the box of the outline, or of its nearest image, a place is, px: no farther than from the outline.
+    /// Distance, px, of a place from the bounding box of the outline or of its nearest image: a lower bound of the distance from
+    /// the outline.
     #[must_use]
     pub fn away(&self, at: [f64; 2], extent: &Extent) -> f64 {
         self.distance_to_box(self.beside(at, extent))
@@ -78,8 +80,8 @@ impl Outline {
         libm::hypot(beyond[0], beyond[1])
     }
 
-    /// How far inside the outline, or its nearest image, a place is, px; negative outside. Far outside it is the distance from
-    /// its box.
+    /// Depth of a place inside the outline or its nearest image, px; negative outside. Far outside it is the negative distance from
+    /// the bounding box.
     #[must_use]
     pub fn depth(&self, at: [f64; 2], extent: &Extent) -> f64 {
         let at = self.beside(at, extent);
@@ -101,7 +103,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_place_is_as_deep_inside_an_outline_as_it_is_far_from_its_nearest_side() {
+    fn the_depth_of_a_place_is_the_distance_from_the_nearest_side() {
         let outline =
             Outline::new(vec![[10.0, 10.0], [30.0, 10.0], [30.0, 20.0], [10.0, 20.0]]).expect("an area");
         let card = Extent { size: [100.0, 60.0], wrap: [false; 2] };

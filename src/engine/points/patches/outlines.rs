@@ -1,4 +1,4 @@
-//! Many drawn outlines: those near a place are found without looking at all of them.
+//! A set of drawn outlines, searched by place without testing all of them.
 
 use smallvec::SmallVec;
 
@@ -6,10 +6,10 @@ use super::outline::Outline;
 use crate::grid::BoxTiles;
 use crate::points::extent::Extent;
 
-/// Outlines near one place that are held in place.
+/// Number of outlines near a place that are held without allocation.
 const IN_PLACE: usize = 16;
 
-/// Outlines with the tiles of the canvas that their boxes meet.
+/// Outlines, with the tiles of the canvas that their bounding boxes meet.
 #[derive(Clone, Debug)]
 pub struct Outlines<'a> {
     outlines: Vec<&'a Outline>,
@@ -18,10 +18,10 @@ pub struct Outlines<'a> {
 }
 
 impl<'a> Outlines<'a> {
-    /// Prepares `outlines` on a canvas.
+    /// Prepares the search of `outlines` on a canvas.
     pub fn new(outlines: impl Iterator<Item = &'a Outline>, extent: &Extent) -> Self {
         let outlines: Vec<&Outline> = outlines.collect();
-        // About a tile for each outline.
+        // About one tile for each outline.
         let side = (extent.size[0] * extent.size[1] / outlines.len().max(1) as f64).sqrt();
         let boxes = outlines.iter().map(|outline| outline.corners());
         Self { tiles: BoxTiles::new(extent.size, extent.wrap, side, boxes), extent: *extent, outlines }
@@ -33,18 +33,18 @@ impl<'a> Outlines<'a> {
         &self.extent
     }
 
-    /// All of them.
+    /// All outlines.
     pub fn iter(&self) -> impl Iterator<Item = &'a Outline> + '_ {
         self.outlines.iter().copied()
     }
 
-    /// The outlines from whose box a place, px, is at most `reach` px away along both axes, and perhaps others, each once. How deep the place
-    /// lies in one ([`Outline::depth`]) takes longer to find out than which they are.
+    /// The outlines whose bounding box is at most `reach` px away from a place, px, along both axes, and possibly further ones,
+    /// each once. Computing the depth of the place in an outline ([`Outline::depth`]) takes longer than this search.
     pub fn near(&self, at: [f64; 2], reach: f64) -> impl Iterator<Item = &'a Outline> + '_ {
         self.indices_near(at, reach).into_iter().map(|index| self.outlines[index as usize])
     }
 
-    /// Their numbers, ascending.
+    /// The indices of these outlines, ascending.
     fn indices_near(&self, at: [f64; 2], reach: f64) -> SmallVec<[u32; IN_PLACE]> {
         let mut near = SmallVec::new();
         self.tiles.each_near(at, reach, |index| near.push(index));
@@ -53,8 +53,8 @@ impl<'a> Outlines<'a> {
         near
     }
 
-    /// The depth of a place in the outline in which it is deepest, px, and the index of this outline, the lower of equal ones;
-    /// `None` where it is more than `reach` px outside of all, or little less.
+    /// The depth of a place in the outline in which it is deepest, px, and the index of this outline, the lowest if several are
+    /// equal. `None` if the place is more than about `reach` px outside of all.
     #[must_use]
     pub fn deepest(&self, at: [f64; 2], reach: f64) -> Option<(f64, u32)> {
         let mut deepest: Option<(f64, u32)> = None;
@@ -73,7 +73,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_deepest_outline_is_that_of_a_full_search() {
+    fn the_deepest_outline_agrees_with_a_full_search() {
         let number = |i: usize, step: f64| (0.5 + step * i as f64).fract();
         let outlines: Vec<Outline> = (0..60)
             .filter_map(|i| {

@@ -1,6 +1,6 @@
-//! Patches that differ from each other as much as is asked: each has an area, aspect and direction of its own.
+//! Patches that differ from each other by a wanted amount: each has its own area, aspect and direction.
 //!
-//! Patches with more room are larger more often than by chance: else large ones would be cramped between centres that are close.
+//! Patches with more room are larger more often than by chance. Otherwise large ones would be cramped between close centres.
 
 use rand::Rng;
 
@@ -10,10 +10,11 @@ use crate::attributes::Spread;
 use crate::points::centers::LONGEST;
 use crate::points::labels::normal;
 
-/// Correlation of the size of a patch with its room. Not tuned: at 1 sizes would show the room alone, at 0 large patches were cramped.
+/// Correlation of the size of a patch with its room. Not tuned: at 1 sizes would depend on the room alone, at 0 large patches were
+/// cramped.
 const BY_ROOM: f64 = 0.7;
 
-/// What patches ask for which are `wanted` on the mean and have so much `room` each, px².
+/// Wanted properties for each patch: `wanted` gives the means and spreads, `room` the free area around each patch, px².
 pub fn varied(wanted: &[Wanted], room: &[f64], detail: f64, rng: &mut impl Rng) -> Vec<Wanted> {
     let mut scores: Vec<f64> = standardised(wanted.iter().map(|_| normal(rng)).collect());
     scores.sort_by(f64::total_cmp);
@@ -35,19 +36,19 @@ pub fn varied(wanted: &[Wanted], room: &[f64], detail: f64, rng: &mut impl Rng) 
         patch.aspect = (patch.aspect + aspect * normal(rng)).clamp(LONGEST, 1.0);
         patch.angle += angle * normal(rng);
     }
-    // Few patches have not quite the mean that was asked.
+    // The mean of few random values differs from the wanted mean.
     let asked: f64 = wanted.iter().map(|wanted| wanted.area).sum();
     let factor = asked / all.iter().map(|patch| patch.area).sum::<f64>();
     all.iter_mut().filter(|_| factor.is_finite()).for_each(|patch| patch.area *= factor);
     all
 }
 
-/// Standard deviation to be added to `own` for a total of `asked`; none where nothing is asked.
+/// Standard deviation that must be added to `own` for a total of `asked`; 0 if `asked` is 0.
 fn beyond(asked: f64, own: f64) -> f64 {
     (asked * asked - own * own).max(0.0).sqrt()
 }
 
-/// The values moved and stretched to mean 0 and standard deviation 1; zeros where all are equal.
+/// The values shifted and scaled to mean 0 and standard deviation 1; zeros if all are equal.
 fn standardised(mut values: Vec<f64>) -> Vec<f64> {
     let count = values.len().max(1) as f64;
     let mean = values.iter().sum::<f64>() / count;
@@ -74,7 +75,7 @@ mod tests {
     };
 
     #[test]
-    fn areas_vary_as_asked_around_the_wanted_mean_and_large_patches_have_more_room() {
+    fn areas_vary_as_wanted_and_large_patches_have_more_room() {
         let spread = Spread { area: 0.4, ..Spread::ZERO };
         let wanted = vec![Wanted { spread, ..PATCH }; 400];
         let room: Vec<f64> = (0..400).map(|k| 1000.0 + f64::from(k)).collect();
@@ -89,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn patches_without_a_spread_ask_for_what_is_wanted() {
+    fn without_a_spread_all_patches_have_the_wanted_values() {
         let wanted = vec![PATCH; 30];
         let room = vec![1500.0; 30];
         assert_eq!(varied(&wanted, &room, 24.0, &mut Pcg64Mcg::seed_from_u64(5)), wanted);

@@ -1,17 +1,17 @@
-//! The connected parts of a pattern: which of a roughened one are the marks that were there, and which came off.
+//! The connected parts of a pattern: those of the roughened pattern are compared with the marks before, to find fragments.
 
 use rayon::prelude::*;
 
 use crate::grid::{Edges, Field, UnionFind};
 
-/// A part of less than this share of a mark around it is left out, unless it is the largest one of a mark.
+/// A part of less than this share of the mark around it is removed, unless it is the largest one of a mark.
 const LEAST: f64 = 0.5;
-/// How far from the edge, in pattern values, places are brought that are left out: interpolation between cells then makes no speck
-/// of them.
+/// Distance from the edge, in pattern values, to which removed places are moved: then the interpolation between cells leaves no
+/// speck.
 const CLEAR: f32 = 0.1;
-/// Cells that are no neighbours of the other side of the edge are at least so far from it, in pattern values.
+/// Least distance from the edge, in pattern values, of cells without a neighbour on the other side of the edge.
 const OFF: f32 = 0.04;
-/// Cells around them that are brought nearer to it, too.
+/// Number of cells around removed places that are moved towards the edge too.
 const AROUND: i32 = 3;
 
 /// The parts of a pattern before it was roughened.
@@ -22,7 +22,7 @@ pub(super) struct Parts<'a> {
     radius: &'a (dyn Fn([f64; 2]) -> f64 + Sync),
 }
 
-/// The part of each cell, as its first cell, of cells that are in marks, or not.
+/// The part of each cell, named by its first cell. Connected cells on the same side of the edge are one part.
 fn parts(field: &Field) -> Vec<u32> {
     let (nx, ny) = (field.width, field.height);
     let inside = |cell: usize| field.values[cell] >= 0.5;
@@ -51,18 +51,18 @@ impl<'a> Parts<'a> {
         Self { pattern, marks: only(true), grounds: only(false), radius }
     }
 
-    /// The mark that a cell is in; [`NONE`] of ground.
+    /// The mark of a cell; [`NONE`] for ground.
     pub fn mark_of(&self, cell: usize) -> u32 {
         self.marks[cell]
     }
 
-    /// Brings small parts of a roughened pattern to the other side of the edge.
+    /// Moves small parts of a roughened pattern to the other side of the edge.
     pub fn tidy(&self, rough: &mut Field) {
         self.leave_out(true, rough);
         self.leave_out(false, rough);
     }
 
-    /// Brings the small parts that are `inside` marks, or those that are not, to the other side of the edge.
+    /// Moves the small parts `inside` marks, or otherwise those outside, to the other side of the edge.
     fn leave_out(&self, inside: bool, rough: &mut Field) {
         let (all, grid) = (parts(rough), rough.grid());
         let is_inside = |value: f32| (value >= 0.5) == inside;
@@ -92,7 +92,8 @@ impl<'a> Parts<'a> {
                 {
                     let p = self.pattern.values[beside].clamp(0.0, 1.0);
                     let fade = away as f32 / (AROUND + 1) as f32;
-                    // As it was, seen from the other side where that was inside; farther away more and more of what it is.
+                    // The original value, mirrored at ½ if it was on the same side of the edge. With increasing distance only a
+                    // bound near the edge.
                     let [low, high] = [0.5 - CLEAR, 0.5 + CLEAR];
                     let value = &mut rough.values[beside];
                     *value = if inside {
@@ -114,8 +115,8 @@ impl<'a> Parts<'a> {
     }
 }
 
-/// Keeps the cells that are no neighbours of the other side of the edge off it: interpolation between cells would make specks of
-/// those that nearly reach it.
+/// Moves the cells without a neighbour on the other side of the edge away from it. The interpolation between cells would make
+/// specks of cells that nearly reach the edge.
 pub(super) fn keep_off(rough: &mut Field) {
     let grid = rough.grid();
     let around = [-1, 0, 1].into_iter().flat_map(|y| [-1, 0, 1].map(|x| [x, y]));
@@ -135,10 +136,10 @@ pub(super) fn keep_off(rough: &mut Field) {
     rough.values = kept.collect();
 }
 
-/// No part.
+/// Index that means "no part".
 const NONE: u32 = u32::MAX;
 
-/// Of each part `before` the one of `all` that has most of its cells, of those that count.
+/// For each part `before`, the part of `all` that has most of its cells; only cells accepted by `counts` are counted.
 fn heirs(before: &[u32], all: &[u32], counts: impl Fn(usize) -> bool) -> Vec<u32> {
     let shared = |cell: usize| (before[cell] != NONE && counts(cell)).then(|| (before[cell], all[cell]));
     let mut pairs: Vec<(u32, u32)> = (0..all.len()).filter_map(shared).collect();

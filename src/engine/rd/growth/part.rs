@@ -1,4 +1,4 @@
-//! A part of a growth that has grown on by itself.
+//! A part of a growth that has been advanced by itself.
 
 use super::Growth;
 use crate::grid::Cutout;
@@ -33,8 +33,8 @@ impl Growth {
         marks
     }
 
-    /// Takes the concentrations in the cells of `cutout` from `part`, which has grown there. The coefficients stay as they are, so that
-    /// this growth can be read afterwards, but must not be advanced.
+    /// Takes over the concentrations in the cells of `cutout` from `part`, which has grown there. The coefficients do not change,
+    /// so that this growth can be read afterwards, but must not be advanced.
     pub fn take(&mut self, cutout: &Cutout, part: &Self) {
         let nx = self.stepper.problem.grid.nx;
         let cells: Vec<usize> = cutout.cells().collect();
@@ -63,7 +63,7 @@ mod tests {
         let maps = ParameterField::uniform([70, 60], Edges::Wrap, p);
         let mut whole = Growth::new(System::TURING_SPOTS, &maps, 4).with_stages(1);
         whole.advance(60);
-        // Across the border.
+        // The part crosses the border.
         let cutout = Cutout::about(&maps.domain, &[([68.0, 30.0], 14.0)]).expect("a small one")[0];
         let frozen = |cell: usize| {
             let [x, y] = cutout.grid.position(cell);

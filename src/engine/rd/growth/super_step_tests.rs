@@ -6,7 +6,7 @@ use crate::rd::benchmark::Case;
 
 const SIDE: usize = 48;
 
-/// Growths of one start by super steps and by Euler steps, `rate` times the usual rate.
+/// Two growths from one start, by super steps and by Euler steps, with `rate` times the usual rate.
 fn both(system: System, rate: f32) -> [Growth; 2] {
     let usual = Case { system, stretch: 1.0 }.maps(16).parameters[0];
     let maps = ParameterField::uniform(

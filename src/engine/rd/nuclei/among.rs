@@ -13,10 +13,12 @@ use crate::rd::parameter_field::{ParameterField, Parameters};
 
 /// Rounds of relaxation: most of the points have been relaxed before. Not tuned.
 const ROUNDS: usize = 20;
-/// Points nearer than this to a pinned one, in pitches, give way to it: on the mean 0.9 of a hexagonal lattice. Within 0.7 there would be 1.8.
+/// Points closer than this to a pinned one, in pitches, are displaced by it: on average 0.9 points of a hexagonal lattice. Within
+/// 0.7 it would be 1.8.
 const GIVES_WAY: f64 = 0.5;
-/// Points that are still nearer than this to a pinned one once relaxed, in pitches, are taken away: they stand between several. In 40
-/// sketches drawn as by hand 14 spots would otherwise stand within half a spacing of a drawn one, instead of 5.
+/// Points that are still closer than this to a pinned one after relaxation, in pitches, are removed: they lie between several
+/// pinned points. In 40 sketches like hand drawings 14 spots would otherwise lie within half a spacing of a drawn one, instead of
+/// 5.
 const NO_ROOM: f64 = 0.7;
 
 /// Points that have been laid without pinned ones.
@@ -25,22 +27,22 @@ pub struct LaidBefore<'a, P> {
     pub kept: [Vec<Nucleus<P>>; 2],
     /// Points that move, or give way to others. All lie on open cells.
     pub near: Vec<Nucleus<P>>,
-    /// Points a cell with which all were laid.
+    /// Density at which all were laid, points per cell.
     pub density: f64,
-    /// By cell, whether others may stand there.
+    /// By cell, whether other points may lie there.
     pub open: &'a [bool],
 }
 
 /// A point among others that have been laid before.
 pub struct LaidAmong<P> {
-    /// Which of the near points it was; `None` = it is new.
+    /// Index of the point among the `near` points before; `None` = the point is new.
     pub was: Option<usize>,
-    /// Where it is.
+    /// Its place and metric.
     pub point: Nucleus<P>,
 }
 
-/// Points on the open cells, their neighbours `pitch(parameters)` cells apart: those laid `before` that the `pinned` ones leave room,
-/// and new ones where some are missing. There must be no obstacles.
+/// Points on the open cells, with neighbours `pitch(parameters)` cells apart: points laid `before` for which the `pinned` ones
+/// leave room, and new points where some are missing. There must be no obstacles.
 pub fn lay_among<D: Domain>(
     maps: &ParameterField<D>,
     pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
@@ -49,7 +51,7 @@ pub fn lay_among<D: Domain>(
     rng: &mut impl Rng,
 ) -> Vec<LaidAmong<D::Place>> {
     let density = SpotDensity::new(maps, pitch);
-    // About the margin over which those before were laid.
+    // About the margin over which the points `before` were laid.
     let margin = before.kept.iter().flatten().map(|nucleus| nucleus.reach).fold(0.0, f64::max);
     let space = maps.domain.space((FRAME * margin).ceil());
     let largest = pinned.iter().map(|pinned| pinned.reach).fold(density.largest.max(margin), f64::max);
@@ -58,7 +60,7 @@ pub fn lay_among<D: Domain>(
         |one: &Nucleus<D::Place>| Nucleus { at: space.moved(space.to_space(one.at), [0.0; 2]), ..*one };
     pinned.iter().for_each(|one| placed.insert(framed(one)));
     let near: Vec<Nucleus<D::Place>> = before.near.iter().map(framed).collect();
-    // As many as stood there, and those by which they are denser now.
+    // The points that lay there, plus the increase of their density.
     let denser = |cell: usize| if before.open[cell] { density.densities[cell] - before.density } else { 0.0 };
     let wanted = near.len() as f64 + space.integral(denser) - density.displaced_by(pinned, maps) as f64;
     let wanted = if before.open.contains(&true) { wanted.max(0.0).round() as usize } else { 0 };
@@ -104,7 +106,8 @@ fn to_nearest<B: Buckets>(pinned: &CellList<B>, point: &Nucleus<B::Place>) -> f6
     nearest.sqrt()
 }
 
-/// Of the `near` points, by their indices, those that `pinned` ones leave room, at most `most`: the nearest to a pinned one give way.
+/// The indices of the `near` points for which the `pinned` ones leave room, at most `most`; the points nearest to a pinned one are
+/// removed first.
 fn with_room<B: Buckets>(pinned: &CellList<B>, near: &[Nucleus<B::Place>], most: usize) -> Vec<usize> {
     let distances: Vec<f64> = near.iter().map(|point| to_nearest(pinned, point)).collect();
     let mut order: Vec<usize> = (0..near.len()).collect();
@@ -137,7 +140,7 @@ mod tests {
         among: Vec<LaidAmong<[f64; 2]>>,
     }
 
-    /// Points laid alone, of which those within 50 cells of [120, 110] give way to others that are `pinned`.
+    /// Points laid by themselves. Those within 50 cells of [120, 110] are displaced by the `pinned` ones.
     fn laid(edges: Edges, pinned: &[[f64; 2]]) -> Laid {
         let maps = maps(edges);
         let alone = lay(&maps, &|_| PITCH, &[], |_| ROUNDS, &mut Pcg64Mcg::seed_from_u64(7));

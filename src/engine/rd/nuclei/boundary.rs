@@ -1,20 +1,20 @@
-//! Spots at closed edges: on them or well off.
+//! Spots at closed edges: they lie on an edge, or well away from it.
 
 use crate::grid::{Buckets, Space, Wall};
 use crate::rd::nuclei::cell_list::CellList;
 use crate::rd::nucleus::Nucleus;
 
-/// Spots nearer to a closed edge than this share of the pitch are put on it. Seen: farther off they grow a tail to it.
+/// Spots closer to a closed edge than this share of the pitch are put on it. Spots that began slightly farther away were seen to
+/// grow a tail towards the edge.
 const SNAP: f64 = 0.22;
-/// Others are held this far from it; nearer they grow a tail too.
+/// Other spots are kept at least this far from an edge, in pitches; closer ones grow a tail, too.
 pub const HOLD: f64 = 0.42;
 
-/// Rounds of relaxation around them.
+/// Rounds of relaxation around the spots that have been moved.
 const WALLED: usize = 10;
 
-/// Near a wall a spot cannot keep its shape. One on the wall is half a spot, cut by the edge; nearer than [`HOLD`] it
-/// would be drawn out to the wall. So those that are near are moved, once and for all, and the others `relax` around
-/// them. The first `fixed` stay.
+/// Near a wall a spot cannot keep its shape. A spot on the wall is half a spot, cut by the edge; closer than [`HOLD`] it would be
+/// stretched towards the wall. So spots near a wall are moved once, and the others `relax` around them. The first `fixed` stay.
 pub fn keep_off_walls<S: Space, B: Buckets<Place = S::Place>>(
     space: &S,
     placed: &mut CellList<B>,
@@ -36,7 +36,7 @@ pub fn keep_off_walls<S: Space, B: Buckets<Place = S::Place>>(
     }
 }
 
-/// Of these walls, those that a point is so near to that it is put on them; of two that face each other one.
+/// For each wall, whether a point is so close that it is put on the wall; of two walls that face each other, only one.
 fn walls_under<P: Copy, W: Wall<P>>(walls: &[W], point: &Nucleus<P>) -> Vec<bool> {
     let mut on: Vec<bool> = Vec::with_capacity(walls.len());
     for wall in walls {
@@ -47,7 +47,7 @@ fn walls_under<P: Copy, W: Wall<P>>(walls: &[W], point: &Nucleus<P>) -> Vec<bool
     on
 }
 
-/// The place of a point: on the walls that it is `on`, and moved away from others that are too near.
+/// The place of a point after it is put on the walls that it is `on`, and moved away from other walls that are too near.
 fn held<P: Copy, W: Wall<P>>(walls: &[W], on: &[bool], point: &Nucleus<P>) -> P {
     let mut at = point.at;
     for (index, wall) in walls.iter().enumerate() {

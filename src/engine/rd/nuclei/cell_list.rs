@@ -1,4 +1,4 @@
-//! Which points are near each other.
+//! Search for neighbouring points.
 
 use crate::grid::{Buckets, turned};
 use crate::rd::nucleus::Nucleus;
@@ -6,9 +6,9 @@ use crate::rd::nucleus::Nucleus;
 /// The displacement from one point to another.
 #[derive(Clone, Copy, Debug)]
 pub struct Displacement {
-    /// In the frame of the first.
+    /// Its coordinates in the frame of the first point.
     pub here: [f64; 2],
-    /// In the frame of the second.
+    /// Its coordinates in the frame of the second point.
     pub there: [f64; 2],
 }
 
@@ -17,9 +17,9 @@ pub fn distance2<P>(a: &Nucleus<P>, b: &Nucleus<P>, displacement: Displacement) 
     0.5 * (a.distance2(displacement.here) + b.distance2(displacement.there))
 }
 
-/// Points by place, so that neighbours are found without asking all.
+/// Points sorted by place, so that neighbours are found without testing all points.
 pub struct CellList<B: Buckets> {
-    /// What sorts them.
+    /// The buckets that sort the points.
     pub buckets: B,
     /// The points.
     pub all: Vec<Nucleus<B::Place>>,
@@ -36,7 +36,7 @@ impl<B: Buckets> CellList<B> {
         Self { buckets, all: Vec::new(), cells, longest: 0.0 }
     }
 
-    /// None of the points, in the same buckets.
+    /// A list without points, with these buckets.
     pub fn emptied(&self) -> Self {
         Self::new(self.buckets.clone())
     }
@@ -61,8 +61,8 @@ impl<B: Buckets> CellList<B> {
         self.all.push(point);
     }
 
-    /// Calls `each(other, displacement)` for every point, or image of one beyond the border (its own too), that can lie within
-    /// `pitches` of `point` by the mean of both metrics; and for some farther ones.
+    /// Calls `each(other, displacement)` for every point, or image of a point beyond the border (also of `point`), that can lie
+    /// within `pitches` of `point` by the mean of both metrics, and for some that are farther away.
     pub fn near(
         &self,
         point: &Nucleus<B::Place>,
@@ -74,7 +74,7 @@ impl<B: Buckets> CellList<B> {
         });
     }
 
-    /// Whether `is_near(other, displacement)` of any of these.
+    /// Whether `is_near(other, displacement)` holds for any of these.
     pub fn any_near(
         &self,
         point: &Nucleus<B::Place>,
@@ -94,7 +94,7 @@ impl<B: Buckets> CellList<B> {
         })
     }
 
-    /// Calls `each` with the index of, and the displacement to, each point within so many `pitches` of `point`.
+    /// Calls `each` with the index of each point within `pitches` pitches of `point`, and the displacement to it.
     pub fn near_by_index(
         &self,
         point: &Nucleus<B::Place>,

@@ -1,4 +1,4 @@
-//! How many spots there will be, and where they are densest.
+//! Number and density of spots.
 
 use multiversion::multiversion;
 use rayon::prelude::*;
@@ -9,10 +9,10 @@ use crate::rd::parameter_field::{ParameterField, Parameters};
 
 /// The density of spots over a domain.
 pub struct SpotDensity {
-    /// Points a mean cell's area, by cell.
+    /// Points per mean cell area, by cell.
     pub densities: Vec<f64>,
     pub densest: f64,
-    /// The farthest that a pitch reaches, cells.
+    /// The longest reach of a pitch, cells.
     pub largest: f64,
 }
 
@@ -21,7 +21,7 @@ const TOGETHER: usize = 64;
 /// Maxima that are kept side by side.
 const MAXIMA: usize = 8;
 
-/// Writes the densities of cells with these pitches, and returns the largest, and the largest square of what a pitch reaches ÷ 1.05.
+/// Writes the densities of cells with these pitches. Returns the largest density, and the largest squared reach of a pitch ÷ 1.05.
 #[multiversion(targets("x86_64+avx2"))]
 fn side_by_side(pitches: &[f64], stretches: &[f64], densities: &mut [f64]) -> [f64; 2] {
     let [mut densest, mut largest] = [[0.0f64; MAXIMA]; 2];
@@ -40,7 +40,7 @@ fn side_by_side(pitches: &[f64], stretches: &[f64], densities: &mut [f64]) -> [f
     [densest, largest].map(|maxima| maxima.into_iter().fold(0.0, f64::max))
 }
 
-/// Points a mean cell's area where neighbours stand this far apart, cells: a hexagonal lattice of pitch 1 has 2/√3 points a unit area.
+/// Points per mean cell area if neighbours are this far apart, cells: a hexagonal lattice of pitch 1 has 2/√3 points per unit area.
 #[inline(always)]
 pub fn density_of(pitch: f64) -> f64 {
     2.0 / (3.0f64.sqrt() * (pitch * pitch))
@@ -59,7 +59,7 @@ impl SpotDensity {
                 for (densities, parameters) in some {
                     let [mut pitches, mut stretches] = [[1.0; TOGETHER]; 2];
                     for (k, p) in parameters.iter().enumerate() {
-                        // Mostly the same as beside it.
+                        // Neighbours mostly have equal parameters.
                         if before != Some(p) {
                             (before, here) = (Some(p), pitch(p));
                         }
@@ -76,12 +76,12 @@ impl SpotDensity {
         Self { densities, densest, largest: 1.05 * largest.sqrt() }
     }
 
-    /// Points in all, those over the margin of `space` too: it is as crowded as the border beside it.
+    /// Number of points, including those over the margin of `space`, which is as dense as the border beside it.
     pub fn wanted(&self, space: &impl Space) -> usize {
         space.integral(|cell| self.densities[cell]).round().max(1.0) as usize
     }
 
-    /// Of these, as many as the `pinned` ones displace: one each, if they are like those around them.
+    /// Number of points that the `pinned` ones displace: one for each, if it is like the points around it.
     pub fn displaced_by<D: Domain>(&self, pinned: &[Nucleus<D::Place>], maps: &ParameterField<D>) -> usize {
         let rooms = pinned.iter().map(|pinned| {
             let [xx, xy, yy] = pinned.metric;

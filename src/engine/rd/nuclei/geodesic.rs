@@ -1,4 +1,4 @@
-//! The shortest way between points in a metric that varies: it is curved.
+//! Geodesics (shortest ways) in a metric that varies.
 
 use crate::grid::Domain;
 use crate::rd::nucleus::Nucleus;
@@ -25,7 +25,7 @@ impl Christoffel {
         Self([raised([yy, -xy]), raised([-xy, xx])])
     }
 
-    /// The symbols at a point of a parameter field with this pitch.
+    /// The symbols at a point of a parameter field whose system has this pitch.
     pub fn at<D: Domain>(
         field: &ParameterField<D>,
         pitch: &(dyn Fn(&Parameters) -> f64 + Sync),
@@ -41,7 +41,7 @@ impl Christoffel {
         Self::new(point.metric, slope([step, 0.0]), slope([0.0, step]))
     }
 
-    /// How the shortest way sets out that ends `chord` from here: chord + ½ Γ(chord, chord).
+    /// The initial direction of the geodesic to the point at `chord` from here: chord + ½ Γ(chord, chord).
     #[must_use]
     pub fn sets_out(&self, chord: [f64; 2]) -> [f64; 2] {
         let [x, y] = chord;

@@ -1,4 +1,4 @@
-//! Marks of other layers: new spots begin clear of them, and posts among them push these away.
+//! Marks of other layers: new spots begin at a distance from them, and fixed points ("posts") on the marks push spots away.
 
 use crate::grid::{Buckets, Domain, Space};
 use crate::rd::nuclei::cell_list::{CellList, Displacement, distance2};
@@ -8,14 +8,14 @@ use rand::seq::SliceRandom;
 use rand::{Rng, RngExt};
 use rayon::prelude::*;
 
-/// Distance of posts, pitches: so near that no spot fits in between.
+/// Distance of posts, pitches: small enough that no spot fits between two.
 const APART: f64 = 0.9;
-/// Nearer to an obstacle cell than this share of a pitch no spot begins: half of its own length, and a gap. At 0.36 one in
-/// some hundred touched.
+/// No spot begins closer to an obstacle cell than this, in pitches: half of its own length, and a gap. At 0.36 about one spot in a
+/// hundred touched.
 const CLEAR: f64 = 0.45;
 
-/// Puts posts on the obstacle cells, as many as keep other spots off, and returns them. However far spots stand apart from each
-/// other, posts push no farther than a spot's own room.
+/// Puts posts on the obstacle cells, enough of them to keep spots off, and returns them. Posts push no farther than a spot's own
+/// room, however far apart the spots are.
 pub fn posts<D: Domain, B: Buckets<Place = D::Place>>(
     maps: &ParameterField<D>,
     placed: &mut CellList<B>,
@@ -32,19 +32,19 @@ pub fn posts<D: Domain, B: Buckets<Place = D::Place>>(
     placed.all.clone()
 }
 
-/// The clear cells are filled so often, each time with all the spots that find room so many pitches from all others.
-/// Darts that leave no hole of 0.777 pitches are as many as a hexagonal lattice of 1 pitch has points (they cover 0.547,
-/// it 0.907); those that follow fill what opens when the first have spread.
+/// Distances of spots, pitches, in successive rounds of filling the clear cells; each round places spots until no cell has room.
+/// Darts that leave no hole of 0.777 pitches are as many as the points of a hexagonal lattice of pitch 1 (they cover 0.547, the
+/// lattice 0.907). The second round fills the holes that open when the first spots have spread.
 pub const FILLS: [f64; 2] = [0.777, 0.85];
 
-/// Which cells stand clear of the obstacles: by the system's own distances, however far spots are to stand apart.
+/// For each cell, whether it is far enough from the obstacles, measured by the system's natural spacing and not by the wanted one.
 pub fn clear<D: Domain>(maps: &ParameterField<D>, pitch: &(dyn Fn(&Parameters) -> f64 + Sync)) -> Vec<bool> {
     let own = |p: &Parameters| pitch(p) / f64::from(p.pitch);
     let away = maps.domain.distances(&maps.obstacles);
     let known = |cell: usize, nucleus: &Nucleus<D::Place>| {
         let away = away.as_ref()?[cell];
         let [nearest, farthest] = nucleus.bounds(away);
-        // A hair, for the rounding of the distances.
+        // A margin for the rounding of the distances.
         if nearest > CLEAR * (1.0 + 1e-9) {
             return Some(true);
         }
@@ -64,7 +64,7 @@ pub fn clear<D: Domain>(maps: &ParameterField<D>, pitch: &(dyn Fn(&Parameters) -
         .collect()
 }
 
-/// Cells that are looked at together. Not tuned.
+/// Cells that are tested together. Not tuned.
 const BATCH: usize = 256;
 
 /// Places spots after the `posts` of `placed` wherever one is `clear` and `closest` pitches or more from all others,
@@ -82,7 +82,7 @@ pub fn fill<S: Space, B: Buckets<Place = S::Place>>(
     cells.shuffle(rng);
     let mut spots = placed.emptied();
     placed.all[posts..].iter().for_each(|spot| spots.insert(*spot));
-    // Cells come in random order. What is known of them is read for many at once, so that the reads do not wait for each other.
+    // Cells come in random order. Their data are read for many cells at once, so that the reads do not wait for each other.
     let mut darts = Vec::with_capacity(BATCH);
     for batch in cells.chunks(BATCH) {
         let places = batch.iter().map(|cell| space.place_in(*cell as usize, [rng.random(), rng.random()]));
@@ -99,7 +99,7 @@ pub fn fill<S: Space, B: Buckets<Place = S::Place>>(
     }
 }
 
-/// Lets points `move_on`, but for those that would then no longer stand `clear`.
+/// Moves points by `move_on`, except points that would then be too close to an obstacle.
 pub fn within<B: Buckets>(
     placed: &mut CellList<B>,
     clear: &dyn Fn(B::Place) -> bool,
@@ -110,15 +110,15 @@ pub fn within<B: Buckets>(
     placed.moved(|index, point| if clear(point.at) { point.at } else { before[index] });
 }
 
-/// Squeezed between marks, spots nearer to each other than this share of a pitch merge: of 450 five did at none, none did
-/// at this.
+/// Spots that are squeezed between marks merge if they are closer than this share of a pitch: without the limit five of 450 merged,
+/// with it none.
 const SQUEEZED: f64 = 0.76;
 
-/// By the metric of one of them alone no other is nearer than this: a narrow spot takes the room in its direction even from one
-/// that lies across it.
+/// Least distance of another spot by the metric of one spot alone, pitches: a narrow spot needs the room in its long direction,
+/// even next to a spot that lies across it.
 const POINTED: f64 = 0.4;
 
-/// All of `pinned`, and those of `others` that have room among those before them. `placed` holds none yet.
+/// All `pinned` points, and the `others` that have room among the points before them. `placed` must be empty.
 pub fn with_room<B: Buckets>(
     pinned: &[Nucleus<B::Place>],
     others: Vec<Nucleus<B::Place>>,
@@ -137,7 +137,7 @@ pub fn with_room<B: Buckets>(
     placed.all
 }
 
-/// Whether a place of the `domain` is clear of the obstacle cells. Empty `obstacles` are none.
+/// Whether a place of the `domain` is far enough from the obstacle cells; true if `obstacles` is empty.
 pub fn is_clear<D: Domain>(domain: &D, obstacles: &[bool], place: &Nucleus<D::Place>) -> bool {
     if obstacles.is_empty() {
         return true;

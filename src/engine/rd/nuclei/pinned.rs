@@ -15,7 +15,7 @@ pub struct PinnedSpot<P = [f64; 2]> {
     pub at: P,
     /// The parameters of the room that it takes, in the frame of its place.
     pub own: Parameters,
-    /// Nearer than this to another both would merge, in pitches.
+    /// Distance to another spot, pitches, below which both would merge.
     pub near: f64,
 }
 
@@ -25,17 +25,17 @@ impl<P: Copy> PinnedSpot<P> {
     }
 }
 
-/// Why a spot cannot stand where it is to.
+/// The reason why a spot cannot be at its given place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Hindrance {
-    /// The mark of another layer is there, or too near.
+    /// The mark of another layer covers the place, or is too near.
     Obstacle,
-    /// Another is too near that stays.
+    /// Another spot that stays is too near.
     Neighbour,
 }
 
-/// Which of `spots` can stand where they are to, beside the cells of `obstacles` (empty = none): as many as can be of which none
-/// hinders another, nearly. A closed edge hinders none, but draws those to itself that are near.
+/// Whether each of `spots` can be at its place, beside the obstacle cells (empty = none). Nearly as many as possible are chosen so
+/// that no two hinder each other. A closed edge hinders none, but spots near it are moved onto it.
 #[must_use]
 pub fn placeable<D: Domain>(
     system: System,
@@ -44,7 +44,7 @@ pub fn placeable<D: Domain>(
     spots: &[PinnedSpot<D::Place>],
 ) -> Vec<Result<(), Hindrance>> {
     if spots.is_empty() {
-        // There is no reach to sort by.
+        // There is no spot, and so no reach to sort by.
         return Vec::new();
     }
     let nuclei: Vec<Nucleus<D::Place>> = spots.iter().map(|spot| spot.nucleus(system, domain)).collect();
@@ -62,7 +62,7 @@ pub fn placeable<D: Domain>(
     clear.into_iter().map(stands).collect()
 }
 
-/// Which of those placed are too near to which: nearer than the mean of what is `near` to each.
+/// For each placed spot, the spots that are closer to it than the mean of the two `near` distances.
 fn crowded<B: Buckets>(placed: &CellList<B>, near: &[f64]) -> Vec<Vec<usize>> {
     let mut crowded = vec![Vec::new(); placed.all.len()];
     for (i, point) in placed.all.iter().enumerate() {
@@ -79,10 +79,10 @@ fn crowded<B: Buckets>(placed: &CellList<B>, near: &[f64]) -> Vec<Vec<usize>> {
     crowded
 }
 
-/// An independent set, by index: none of them is `near` another, and nearly as many as possible are taken. Taken first are those
-/// with the fewest open neighbours, the earlier of equals.
+/// An independent set, by index: no two members are `near` each other, and it has nearly as many members as possible. The spots
+/// with the fewest undecided neighbours are taken first; among equals, the earlier one.
 fn independent(near: &[Vec<usize>]) -> Vec<bool> {
-    // Those without others beside them stay; they are most.
+    // Most spots have no others near them; these stay.
     let mut stays: Vec<Option<bool>> = near.iter().map(|near| near.is_empty().then_some(true)).collect();
     let beside: Vec<usize> = (0..near.len()).filter(|i| stays[*i].is_none()).collect();
     loop {

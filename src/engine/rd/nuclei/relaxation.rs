@@ -1,4 +1,4 @@
-//! Spots that differ from each other: each takes the room that its own parameters need.
+//! Relaxation of unequal spots: each needs the room that its own parameters give.
 
 use crate::grid::{Domain, Space};
 use crate::rd::System;
@@ -9,9 +9,9 @@ use crate::rd::nuclei::{FRAME, PUSH};
 use crate::rd::nucleus::Nucleus;
 use crate::rd::parameter_field::{ParameterField, Parameters};
 
-/// The places of the points `laid` after `rounds` rounds of mutual repulsion, each with the pitch and the metric of
-/// its `own` parameters, whose direction is given in the frame of its place; those farther than `reach` pitches do not
-/// push each other. Those beyond the edges stay, and those that are pinned.
+/// The places of the points `laid` after `rounds` rounds of mutual repulsion. Each point has the pitch and the metric of its `own`
+/// parameters, whose direction is given in the frame of its place. Points farther apart than `reach` pitches do not push each
+/// other. Pinned points and points beyond the edges stay.
 #[must_use]
 pub fn relax_places<D: Domain>(
     system: System,
@@ -23,7 +23,7 @@ pub fn relax_places<D: Domain>(
 ) -> Vec<D::Place> {
     let (at, domain) = (&laid.inside, &maps.domain);
     if at.is_empty() {
-        // There is no spot to move, and no reach to sort those beyond by.
+        // There is no spot to move, and no reach by which to sort the points beyond the edges.
         return Vec::new();
     }
     let laid_in: Vec<usize> = at.iter().map(|at| domain.cell_at(*at)).collect();
@@ -47,7 +47,7 @@ pub fn relax_places<D: Domain>(
             return *before;
         }
         let cell = domain.cell_at(space.to_domain(to));
-        // In a frame that is not turned the metric has the same numbers.
+        // In a frame that is not rotated the metric has equal numbers.
         let is_turned = domain.turn(before.cell, cell) != 0.0;
         if is_turned { nucleus(i, to) } else { Nucleus { at: to, cell, ..*before } }
     };
@@ -62,7 +62,7 @@ pub fn relax_places<D: Domain>(
     placed.all[..own.len()].iter().map(stands).collect()
 }
 
-/// The `places`, of which those that are too near a closed edge for a whole spot are moved onto it or farther from it.
+/// Returns the `places`, of which those too close to a closed edge for a whole spot are moved onto the edge or away from it.
 #[must_use]
 pub fn adjust_to_walls<D: Domain>(
     system: System,
@@ -82,14 +82,14 @@ pub fn adjust_to_walls<D: Domain>(
     placed.all.iter().map(|point| point.at).collect()
 }
 
-/// Places of points, cells: those on the domain, and those that keep these from spreading over the edges.
+/// Places of points, cells: points on the domain, and points that prevent these from spreading beyond the edges.
 #[derive(Clone, Debug)]
 pub struct Places<P = [f64; 2]> {
     /// On the domain.
     pub inside: Vec<P>,
     /// Beyond closed edges, and on obstacle cells.
     pub beyond: Vec<P>,
-    /// How many of those on the domain, the first, stay where they are.
+    /// Number of points on the domain, counted from the first, that stay where they are.
     pub pinned: usize,
 }
 

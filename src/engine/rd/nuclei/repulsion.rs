@@ -9,17 +9,17 @@ use super::geodesic::Christoffel;
 use crate::grid::{Buckets, Space, turned};
 use crate::rd::nucleus::Nucleus;
 
-/// Points that are not worth handing to another thread: pushing one takes some 0.4 µs.
+/// Number of points below which no other thread is used: pushing one point takes about 0.4 µs.
 const FEW: usize = 32;
 
-/// Shortest ways are straight.
+/// Curvature of a domain on which shortest ways are straight: none.
 pub fn straight<P>(_: &Nucleus<P>) -> Option<Christoffel> {
     None
 }
 
-/// Rounds of repulsion: points nearer than `reach` pitches push each other away in `space`. `nucleus(i, before, to)` is
-/// point i at its new place, which was `before`; only those of the range `moving` are pushed. `curvature` says how shortest ways from a point
-/// are curved; see [`straight`].
+/// Rounds of repulsion in `space`: points closer than `reach` pitches push each other away. `nucleus(i, before, to)` is point i
+/// after its move from `before`; only the points in the range `moving` move. `curvature` gives the curvature of shortest ways from
+/// a point; see [`straight`].
 pub fn relax<S: Space, B: Buckets<Place = S::Place>>(
     space: &S,
     placed: &mut CellList<B>,
@@ -30,7 +30,7 @@ pub fn relax<S: Space, B: Buckets<Place = S::Place>>(
     nucleus: impl Fn(usize, &Nucleus<S::Place>, S::Place) -> Nucleus<S::Place> + Sync,
 ) {
     let mut all = placed.all.clone();
-    // Finer than those of `placed`, where some points are much larger than the others: one point a bucket.
+    // Finer buckets than those of `placed`, which are large where some points are much larger than others: one point per bucket.
     let longest = all.iter().map(|point| point.reach).fold(0.0, f64::max);
     let room = (space.points(1.0) / all.len().max(1) as f64).sqrt();
     let buckets = space.buckets(room.max(0.5 * longest));
@@ -50,12 +50,11 @@ pub fn relax<S: Space, B: Buckets<Place = S::Place>>(
     placed.replace(all);
 }
 
-/// Points in the order of their buckets, so that neighbours lie beside each other in memory; in a bucket in their own
-/// order.
+/// Points in the order of their buckets, so that neighbours are adjacent in memory; within a bucket in their original order.
 struct Sorted<P> {
-    /// Where in `points` each bucket begins, and the number of points.
+    /// Index in `points` at which each bucket begins, and the number of points.
     starts: Vec<u32>,
-    /// Where each point is: most are asked for no more.
+    /// The place of each point: for most points nothing else is read.
     places: Vec<P>,
     /// Index and point.
     points: Vec<(u32, Nucleus<P>)>,
@@ -83,7 +82,7 @@ impl<P: Copy> Sorted<P> {
         Self { starts, places, points, longest }
     }
 
-    /// The sum of what pushes `point`, cells, in its frame. Nothing farther than `reach` pitches does.
+    /// The sum of all pushes on `point`, cells, in its frame. Points farther than `reach` pitches have no effect.
     fn push(
         &self,
         buckets: &impl Buckets<Place = P>,
@@ -98,7 +97,7 @@ impl<P: Copy> Sorted<P> {
             for (place, (_, other)) in self.places[inside.clone()].iter().zip(&self.points[inside]) {
                 let Some(here) = displacement(*place) else { continue };
                 let own = point.distance2(here);
-                // Too far by half of the mean already.
+                // Already too far by half of the mean of both distances.
                 if 0.5 * own >= reach * reach {
                     continue;
                 }
@@ -126,7 +125,7 @@ mod tests {
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
-    /// One round of the same, point by point from the cell list.
+    /// One round of repulsion, point by point from the cell list: the reference of the test.
     fn plain<S: Space, B: Buckets<Place = S::Place>>(
         space: &S,
         placed: &mut CellList<B>,
@@ -171,7 +170,7 @@ mod tests {
             slow.replace(fast.all.clone());
             relax(&space, &mut fast, 4, 1.25, &moving, &straight, |_, before, at| Nucleus { at, ..*before });
             (0..4).for_each(|_| plain(&space, &mut slow, 1.25, &moving));
-            // The pushes are summed in the order of other buckets.
+            // The pushes are summed in another order, that of other buckets.
             for (fast, slow) in fast.all.iter().zip(&slow.all) {
                 let apart = [0, 1].map(|axis| (fast.at[axis] - slow.at[axis]).abs());
                 assert!(apart.iter().all(|apart| *apart < 1e-9), "{edges:?}: {:?} {:?}", fast.at, slow.at);

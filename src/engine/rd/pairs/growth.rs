@@ -13,7 +13,7 @@ pub struct PairGrowth {
     grids: Grids,
 }
 
-/// On which grids the pairs are.
+/// The grids of the pairs.
 #[derive(Clone, Debug)]
 enum Grids {
     Shared(SharedGrid),
@@ -21,8 +21,8 @@ enum Grids {
 }
 
 impl PairGrowth {
-    /// Computes the coefficients and the initial concentrations. Pairs whose sizes differ much have grids of their own. `None` without
-    /// pairs, with more than [`MOST_PAIRS`], or where a vector has another length than the grid has cells.
+    /// Computes the coefficients and the initial concentrations. Pairs whose sizes differ much get grids of their own. `None`
+    /// without pairs, with more than [`MOST_PAIRS`], or if the length of a vector is not the number of cells.
     #[must_use]
     pub fn new(maps: &PairParameterField, model: &PairModel, start: &PairStart) -> Option<Self> {
         check(maps)?;
@@ -41,7 +41,7 @@ impl PairGrowth {
     }
 
     /// This growth, before its first step, set to take super steps of `stages`; 1 = Euler steps. Pairs on grids of their own keep
-    /// theirs.
+    /// their number of stages.
     #[must_use]
     pub fn with_stages(self, stages: usize) -> Self {
         match self.grids {
@@ -58,7 +58,7 @@ impl PairGrowth {
         }
     }
 
-    /// Takes `steps` explicit steps with this tiling and these instructions. All give the same bits.
+    /// Takes `steps` explicit steps with this tiling and these instructions. The bits do not depend on the two.
     pub fn advance_as(&mut self, steps: u64, tiling: Tiling, instructions: Instructions) {
         match &mut self.grids {
             Grids::Shared(grid) => grid.advance_as(steps, tiling, instructions),
@@ -66,8 +66,8 @@ impl PairGrowth {
         }
     }
 
-    /// Takes `steps` explicit steps with the plain solver: the same bits, slower. The fast solver is tested and measured against
-    /// it.
+    /// Takes `steps` explicit steps with the plain solver, which gives the bits of the fast solver, but more slowly. The fast
+    /// solver is tested and measured against it.
     pub fn advance_plain(&mut self, steps: u64) {
         match &mut self.grids {
             Grids::Shared(grid) => grid.advance_plain(steps),
@@ -84,8 +84,8 @@ impl PairGrowth {
         }
     }
 
-    /// Steps taken: on one grid the stages of super steps count one by one, as each is as much work as an Euler step; on grids of their own
-    /// whole super steps.
+    /// Steps taken. On one grid the stages of super steps are counted one by one, as each is as much work as an Euler step; on
+    /// grids of their own whole super steps are counted.
     #[must_use]
     pub fn steps(&self) -> u64 {
         match &self.grids {
@@ -100,7 +100,7 @@ impl PairGrowth {
         (time / self.time_a_step()).ceil().max(1.0) as u64
     }
 
-    /// Time grown, in 1/b.
+    /// Time of the growth so far, in 1/b.
     #[must_use]
     pub fn time(&self) -> f64 {
         self.steps() as f64 * self.time_a_step()
@@ -132,7 +132,7 @@ impl PairGrowth {
     }
 }
 
-/// `None` without pairs, with too many, or where a vector has another length than the grid has cells.
+/// `None` without pairs, with too many, or if the length of a vector is not the number of cells.
 fn check(maps: &PairParameterField) -> Option<()> {
     let cells = maps.grid.cells();
     let fits = |pair: &PairField| pair.direction.len() == cells && pair.size.len() == cells;

@@ -1,4 +1,4 @@
-//! What systems of pairs grow.
+//! The kinds of systems of pairs.
 
 use super::maze::MAZE;
 use super::pair_stripes::PAIR_STRIPES;
@@ -20,10 +20,10 @@ pub enum PairKind {
 }
 
 impl PairKind {
-    /// All of them.
+    /// All kinds.
     pub const ALL: [Self; 4] = [Self::Weave, Self::Maze, Self::Stripes, Self::Stucco];
 
-    /// What the rest of the program has to know of it.
+    /// The properties of the kind that the rest of the program uses.
     #[must_use]
     pub const fn description(self) -> &'static Description {
         match self {
@@ -34,7 +34,7 @@ impl PairKind {
         }
     }
 
-    /// The one that a description is of.
+    /// The kind with this description; `None` if the description is not one of pairs.
     #[must_use]
     pub fn of(description: &Description) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| kind.description() == description)

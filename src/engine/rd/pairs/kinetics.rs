@@ -1,5 +1,5 @@
-//! The reactions of `N` morphogens: C₊ and C₋ of the first pair, then of the second, and so on. Where `N` is odd, the last plane
-//! is no morphogen: it says by how much the threshold is raised at each cell.
+//! The reactions of `N` morphogens: C₊ and C₋ of the first pair, then of the second, and so on. If `N` is odd, the last plane is no
+//! morphogen: it holds the increase of the threshold at each cell.
 
 use rayon::prelude::*;
 
@@ -78,7 +78,8 @@ fn combined<V: Number>(combination: Combination, largest: V, least: V) -> V {
     }
 }
 
-/// R at each cell at `time`, by the difference of each pair there; `raised` says by how much the threshold is raised, empty = nowhere.
+/// R at each cell at `time`, by the difference of each pair there; `raised` is the increase of the threshold by cell, empty = 0
+/// everywhere.
 pub(super) fn reaction(model: &PairModel, differences: &[Vec<f32>], raised: &[f32], time: f64) -> Vec<f32> {
     let PairReaction { threshold, half_width, gain, .. } = PairReaction::<2>::new(*model).at(time);
     let at = |cell: usize| {
@@ -113,8 +114,8 @@ impl<const N: usize> Kinetics<N> for HeldReaction<N> {
     }
 }
 
-/// The planes of one to five pairs, and perhaps one that raises the threshold, with the reaction of `model`; `None` for another
-/// number of planes.
+/// The planes of one to five pairs, and perhaps one with the increase of the threshold, with the reaction of `model`; `None` for
+/// another number of planes.
 #[must_use]
 pub(super) fn reacting_pairs(model: PairModel, planes: Vec<Plane>) -> Option<Box<dyn Chemicals>> {
     match planes.len() {

@@ -1,4 +1,4 @@
-//! What the rest of the program has to know of mazes.
+//! The description of mazes.
 
 use super::shared_description::THREADS;
 use crate::attributes::Attribute;

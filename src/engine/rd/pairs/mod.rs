@@ -37,36 +37,38 @@ pub use thread_law::Threads;
 
 use crate::grid::Grid;
 
-/// How the differences Dᵢ of all pairs, each times its [weight](PairModel::weights), make up the number X whose soft step is the reaction R.
+/// The way in which the differences Dᵢ of all pairs, each times its [weight](PairModel::weights), are combined to the number X
+/// whose soft step is the reaction R.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Combination {
-    /// X = max Dᵢ: lines of all directions cross (their "maximum of differences"); of one pair stripes, or cells.
+    /// X = max Dᵢ: lines of all directions cross (called "maximum of differences" in the paper). One pair gives stripes, or cells.
     Maximum,
-    /// X = |max Dᵢ| − |min Dᵢ|: lines of different directions exclude each other (their "difference of absolute values").
+    /// X = |max Dᵢ| − |min Dᵢ|: lines of different directions exclude each other (called "difference of absolute values" in the
+    /// paper).
     DifferenceOfAbsolutes,
 }
 
 /// A number that changes with time, counted in 1/b from the beginning.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Course {
-    /// Always this.
+    /// A constant value.
     Constant(f32),
     /// Zero until `first`, then ¼, ½ and ¾ of the last value for `each` of time, then the last value.
     Ramp {
         /// The last value.
         to: f32,
-        /// How long it is zero.
+        /// Duration of the value 0.
         first: f32,
-        /// How long it is ¼, ½ and ¾ of the last.
+        /// Duration of each of the values ¼, ½ and ¾ of the last one.
         each: f32,
     },
     /// `from` · e^(−rate · t) until the time `until`, then constant.
     Decay {
         /// The first value.
         from: f32,
-        /// How fast it falls; where it rises, below 0.
+        /// Rate of the decrease; negative for an increase.
         rate: f32,
-        /// How long it falls.
+        /// Time at which the change ends.
         until: f32,
     },
 }
@@ -92,17 +94,18 @@ impl Course {
 /// The reaction and the shape of the kernels, the same at every cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairModel {
-    /// How the differences make up the reaction.
+    /// The combination of the differences to the reaction.
     pub combination: Combination,
-    /// d: how much wider the blur of C₋ is than that of C₊ across the direction, above 1. 1.5 gives clean stripes.
+    /// d: ratio of the widths of the blurs of C₋ and C₊ across the direction, above 1. 1.5 gives clean stripes.
     pub ratio: f32,
-    /// θ/K₀k: the difference at which the reaction is half. It sets the share that is covered: 0 = half.
+    /// θ/K₀k: the difference at which the reaction is one half. It determines the share of the canvas that is covered: 0 gives
+    /// half.
     pub threshold: Course,
     /// w/K₀k: half the width of the soft step.
     pub softness: f32,
-    /// What the difference of each pair counts. Divided by it, the threshold is that of the pair's own difference.
+    /// Factor of the difference of each pair. The threshold ÷ this factor is the threshold for the pair's own difference.
     pub weights: [f32; MOST_PAIRS],
-    /// k: the reaction at most.
+    /// k: the largest reaction.
     pub gain: Course,
 }
 
@@ -119,9 +122,9 @@ impl PairModel {
         std::f64::consts::TAU * f64::from(self.ratio).sqrt()
     }
 
-    /// The softness w/K₀ for pairs whose smallest size is `s` cells, and the threshold θ/K₀: 1/(3s) makes the edge of the
-    /// reaction one cell wide, since edges do not move over the grid where it is harder; but where it is softer than the
-    /// threshold is high, the ground grows lines of its own.
+    /// The softness w/K₀ for pairs whose smallest size is `s` cells, and the threshold θ/K₀. 1/(3s) makes the edge of the reaction
+    /// one cell wide, since harder edges do not move over the grid. But if the softness exceeds the threshold, lines appear on the
+    /// ground.
     #[must_use]
     pub fn softness_for(s: f32, threshold: f32) -> f32 {
         (1.0 / (3.0 * s)).min(STABLE_GROUND * threshold)
@@ -134,8 +137,8 @@ const STABLE_GROUND: f32 = 0.7;
 /// The form of the two blurs of a pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Blurs {
-    /// A₊ = [θ, e·s, s], A₋ = [θ, e·s, d·s]: lines along θ. e, 1..8, is how much longer than wide the blurs are. Where several pairs are
-    /// together, thin lines that are seen by a short blur only begin to grow along the edges of wide ones that they cross.
+    /// A₊ = [θ, e·s, s], A₋ = [θ, e·s, d·s]: lines along θ. e, 1..8, is the length of the blurs ÷ their width. With several pairs,
+    /// blurs that are too short let thin lines begin only along the edges of wide lines that they cross.
     Along(f32),
     /// A₊ = s, A₋ = d·s in all directions: cells and blotches.
     Round,
@@ -178,10 +181,10 @@ pub struct PairParameterField {
     pub grid: Grid,
     /// The pairs, at least one.
     pub pairs: Vec<PairField>,
-    /// Cells covered by the marks of other layers, by number; empty = none. Nothing grows there.
+    /// Cells covered by the marks of other layers, by number; empty = none. These cells do not change.
     pub obstacles: Vec<bool>,
-    /// By how much the threshold θ is raised at each cell, in K₀; empty = nowhere. Where it is high nothing grows, and lines that
-    /// grow beside it stay where they are.
+    /// The increase of the threshold θ at each cell, in K₀; empty = 0 everywhere. Where it is high nothing grows, and lines beside
+    /// such cells stay where they are.
     pub raised: Vec<f32>,
 }
 

@@ -1,9 +1,9 @@
 //! Pairs of different sizes, each on a grid as fine as its own size needs.
 //!
-//! What a pair has blurred is smooth over its size s: the pair of wide threads needs neither the cells of thin ones nor their short
-//! steps. In turn, the reaction R is found on the finest grid from the differences of all pairs, read there by splines, and its mean over
-//! each cell of a pair's own grid is held while this pair takes one super step. Patterns at rest are those of one grid: there, R is the
-//! same from step to step.
+//! The blurred values of a pair are smooth over its size s: a pair of wide threads needs neither the cells of thin threads nor
+//! their short steps. In turn, the reaction R is computed on the finest grid from the differences of all pairs, which are
+//! interpolated there by splines. Its mean over each cell of a pair's own grid is held while this pair takes one super step.
+//! Patterns at rest are those of one grid: at rest, R does not change from step to step.
 
 use super::kinetics::{held_pairs, reaction};
 use super::shared_grid::{STEP_LIMIT, SUPER_STEP_LIMIT, tensors};
@@ -23,7 +23,7 @@ use crate::rd::wavefront::{Instructions, Scratch, Tiling};
 
 /// Smallest size of a pair on a grid of its own, cells.
 const CELLS: f64 = 1.75;
-/// Pairs have grids of their own where a size is so many times the smallest.
+/// Least ratio of a size to the smallest one for pairs to get grids of their own.
 const DIFFERENT: f64 = 1.4;
 /// Planes of a pair: C₊, C₋ and the reaction that is held.
 const PLANES: usize = 3;
@@ -35,7 +35,7 @@ pub(super) struct OwnGrids {
     /// The finest grid.
     grid: Grid,
     pairs: Vec<OwnGrid>,
-    /// By how much the threshold is raised at each cell of the finest grid; empty = nowhere.
+    /// The increase of the threshold at each cell of the finest grid; empty = 0 everywhere.
     raised: Vec<f32>,
     steps: u64,
 }
@@ -50,7 +50,7 @@ struct OwnGrid {
     scratch: Scratch,
 }
 
-/// How a pair is stepped.
+/// The method of stepping a pair.
 #[derive(Clone, Copy)]
 enum Stepping {
     Plain,
@@ -61,25 +61,26 @@ impl OwnGrids {
     /// Time of a step, in 1/b.
     pub const STEP: f64 = SUPER_STEP_LIMIT as f64;
 
-    /// Whether grids of their own are worth it where the smallest sizes of pairs are between these.
+    /// Whether grids of their own save time where the smallest sizes of pairs range from `finest` to `coarsest`.
     pub fn are_worth(finest: f64, coarsest: f64) -> bool {
         coarsest >= DIFFERENT * finest
     }
 
-    /// How much coarser than the finest grid is that of a pair of this smallest size, cells.
+    /// Cell size of the grid of a pair of this smallest size, relative to the finest grid.
     pub fn coarser(size: f64) -> f64 {
         let larger = size / CELLS;
         if larger < DIFFERENT { 1.0 } else { larger }
     }
 
-    /// Whether the sizes differ so much that grids of their own are worth it. Cells that are taken are known on one grid only.
+    /// Whether the sizes differ so much that grids of their own save time. False with obstacle cells, which are known on one grid
+    /// only.
     pub fn suit(maps: &PairParameterField) -> bool {
         let sizes = maps.pairs.iter().map(least_size);
         let largest = sizes.fold(0.0, f64::max);
         maps.obstacles.is_empty() && Self::are_worth(f64::from(maps.least_size()), largest)
     }
 
-    /// Computes the coefficients and the initial concentrations; `None` where these have another length than the grid has cells.
+    /// Computes the coefficients and the initial concentrations; `None` if the length of a vector is not the number of cells.
     pub fn new(maps: &PairParameterField, model: &PairModel, start: &PairStart) -> Option<Self> {
         let pairs = maps.pairs.iter().map(|pair| OwnGrid::new(&maps.grid, pair, model));
         let mut pairs = pairs.collect::<Option<Vec<OwnGrid>>>()?;
@@ -176,7 +177,7 @@ impl OwnGrids {
 }
 
 impl OwnGrid {
-    /// Without concentrations.
+    /// A grid for a pair, whose concentrations are still 0.
     fn new(finest: &Grid, pair: &PairField, model: &PairModel) -> Option<Self> {
         let grid = own_grid(finest, least_size(pair));
         let layout = RowLayout::new(&grid);
@@ -205,7 +206,7 @@ impl OwnGrid {
         }
     }
 
-    /// Holds the mean over each cell of a reaction on a grid of `size` cells.
+    /// Stores the mean over each cell of a reaction on a grid of `size` cells.
     fn hold(&mut self, reaction: &[f32], size: [usize; 2]) {
         let own = averages(reaction, size, self.grid.size);
         set_cells(&mut self.chemicals.planes_mut()[PLANES - 1], &own, self.grid.size[0]);
@@ -244,7 +245,8 @@ fn least_size(pair: &PairField) -> f64 {
     f64::from(pair.size.iter().copied().fold(f32::INFINITY, f32::min))
 }
 
-/// The grid over the same canvas on which `size` cells of the finest grid are [`CELLS`]; the finest itself where that is hardly coarser.
+/// The grid over the canvas on which `size` cells of the finest grid are [`CELLS`] cells; the finest grid itself if the difference
+/// is small.
 fn own_grid(finest: &Grid, size: f64) -> Grid {
     let larger = OwnGrids::coarser(size);
     if larger == 1.0 {

@@ -1,4 +1,4 @@
-//! What the rest of the program has to know of stripes of one pair.
+//! The description of stripes of one pair.
 
 use super::shared_description::{THREADS, USUAL_DUTY};
 use crate::attributes::Attribute;

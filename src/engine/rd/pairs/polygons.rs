@@ -1,4 +1,4 @@
-//! Cells: areas side by side, parted by lines of one width. One pair that spreads evenly in all directions.
+//! Cells: areas side by side, separated by lines of one width. They grow by one isotropic pair.
 //!
 //! Witkin and Kass's "reptile" and "giraffe" (their figure 3). The reaction begins as 1 in the cells and 0 on the lines between
 //! them. With a threshold below 0 cells stay full, since there D = 0, and lines keep a width that follows from the size
@@ -6,12 +6,12 @@
 //!
 //! gap = 3.8 s − 11.8 s² ÷ L
 //!
-//! Measured at θ/K₀ = −0.1 from lines 2.5 s wide, after T = 10, of Voronoi cells with L/s from 9 to 40, of which every one kept its
-//! place (`facts.md` W). The gap is what no cell covers ÷ half the length of the edges. Of a cell of the area A it takes
+//! Measured at θ/K₀ = −0.1 from lines 2.5 s wide, after T = 10, for Voronoi cells with L/s from 9 to 40; every cell kept its place
+//! (`facts.md` W). The gap is the area outside all cells ÷ half the length of the edges. It reduces a cell of the area A to
 //!
 //! √A = L − (0.965 − 0.48 gap ÷ L) gap
 //!
-//! since corners are the rounder, the wider lines are.
+//! since corners become rounder as lines become wider.
 
 use super::shared_description::USUAL_DUTY;
 use super::{Blurs, Combination, Course, MOST_PAIRS, PairModel};
@@ -21,7 +21,7 @@ use crate::attributes::pair_columns::CELLS as CELLS_COLUMNS;
 use crate::attributes::system::{Description, Family, Keys, LookupBy, picture};
 use crate::rd::systems::embedded;
 
-/// What the rest of the program has to know of cells. They follow from a law; training rows say how far it is off.
+/// The description of cells. They follow from a law; training rows hold its error.
 pub static POLYGONS: Description = Description {
     name: "cells",
     title: "Cells",
@@ -30,7 +30,7 @@ pub static POLYGONS: Description = Description {
     picture: picture!("cells"),
     kind: Family::Areas,
     lines_beside: Some(
-        "A layer holds ellipses or lines; only cells have lines beside them, which say how wide the lines between cells are",
+        "A layer holds ellipses or lines; only cells have lines beside them, which give the width of the lines between cells",
     ),
     free_spacing: true,
     option_keys: &["keep", "gap"],
@@ -60,13 +60,13 @@ pub const BLURS: Blurs = Blurs::Round;
 const THRESHOLD: f32 = -0.1;
 /// w/K₀: 0.7 of the threshold, so that the reaction in a cell is 1.
 const SOFTNESS: f32 = 0.07;
-/// Time to grow, in 1/b: after 30 the gaps were the same within 2 %, but corners rounder.
+/// Time of the growth, in 1/b: after 30 the gaps were equal within 2 %, but corners rounder.
 pub const TIME: f64 = 10.0;
-/// The law of gaps, see the top.
+/// The coefficients of the law of gaps, see the top.
 const GAP: [f64; 2] = [3.8, 11.8];
-/// What a gap takes from the side of a cell, see the top.
+/// The coefficients of the law of areas, see the top.
 const TAKEN: [f64; 2] = [0.965, 0.48];
-/// L ÷ gap, least, at L/s = 9: of nearer cells the gaps close.
+/// Least L ÷ gap, at L/s = 9: the gaps of closer cells vanish.
 const LEAST_DISTANCE: f64 = 3.6;
 
 /// The reaction.
@@ -82,16 +82,17 @@ pub fn model() -> PairModel {
     }
 }
 
-/// The size s of the pair that keeps lines of width `gap` between cells at the distance `distance`, √(canvas ÷ cells); in their unit.
+/// The size s of the pair that keeps lines of width `gap` between cells at the distance `distance`, √(canvas ÷ cells); all in one
+/// unit.
 #[must_use]
 pub fn size(gap: f64, distance: f64) -> f64 {
     let distance = distance.max(LEAST_DISTANCE * gap);
     let [a, b] = GAP;
-    // The smaller root of b s²/L − a s + gap = 0; at the least distance there still is one.
+    // The smaller root of b s²/L − a s + gap = 0, which exists down to the least distance.
     distance * (a - (a * a - 4.0 * b * gap / distance).max(0.0).sqrt()) / (2.0 * b)
 }
 
-/// The distance L = √(canvas ÷ cells) of cells with the side √A `side` and lines of width `gap` between them; in their unit.
+/// The distance L = √(canvas ÷ cells) of cells with the side √A = `side` and lines of width `gap` between them; all in one unit.
 #[must_use]
 pub fn distance(side: f64, gap: f64) -> f64 {
     let [a, b] = TAKEN;
@@ -123,7 +124,7 @@ mod tests {
             assert!((l - (TAKEN[0] - TAKEN[1] * gap / l) * gap - side).abs() < 1e-9, "{side} {gap}: {l}");
         }
         assert!((distance(20.0, widest_gap(20.0)) - LEAST_DISTANCE * widest_gap(20.0)).abs() < 1e-9);
-        // Nearer than cells can be: as at the least distance.
+        // Closer than cells can be: the size for the least distance.
         assert!((size(5.0, 10.0) - size(5.0, LEAST_DISTANCE * 5.0)).abs() < 1e-12);
     }
 }

@@ -1,4 +1,4 @@
-//! Pairs on one grid: explicit steps by the kernels of all systems, and the plain twin. They react at each stage of a step.
+//! Pairs on one grid: explicit steps by the kernels of all systems, or by the plain solver. They react at each stage of a step.
 
 use super::kinetics::{held_pairs, reacting_pairs};
 use super::start::{HELD, PairStart, noise};
@@ -28,7 +28,7 @@ pub(super) struct SharedGrid {
 }
 
 impl SharedGrid {
-    /// Computes the coefficients and the initial concentrations; `None` where these have another length than the grid has cells.
+    /// Computes the coefficients and the initial concentrations; `None` if the length of a vector is not the number of cells.
     pub fn new(maps: &PairParameterField, model: &PairModel, start: &PairStart) -> Option<Self> {
         let layout = RowLayout::new(&maps.grid);
         let planes = 2 * maps.pairs.len();
@@ -65,13 +65,13 @@ impl SharedGrid {
         self.stepper.advance(steps);
     }
 
-    /// Takes `steps` explicit steps with this tiling and these instructions. All give the same bits.
+    /// Takes `steps` explicit steps with this tiling and these instructions. The bits do not depend on the two.
     pub fn advance_as(&mut self, steps: u64, tiling: Tiling, instructions: Instructions) {
         self.stepper.advance_as(steps, tiling, instructions);
     }
 
-    /// Takes `steps` explicit steps with the plain solver: the same bits, slower. The fast solver is tested and measured against
-    /// it.
+    /// Takes `steps` explicit steps with the plain solver, which gives the bits of the fast solver, but more slowly. The fast
+    /// solver is tested and measured against it.
     pub fn advance_plain(&mut self, steps: u64) {
         self.stepper.advance_plain(steps);
     }
@@ -86,7 +86,7 @@ impl SharedGrid {
         self.stepper.steps()
     }
 
-    /// Time of one, in 1/b.
+    /// Time of one stage, in 1/b.
     pub fn time_a_step(&self) -> f64 {
         self.stepper.time_a_step()
     }
@@ -113,7 +113,7 @@ impl SharedGrid {
     }
 }
 
-/// The problem, and the equilibrium of a `reaction` that is held, from nothing; `None` where the reaction is on another grid.
+/// The problem, and its equilibrium with a constant `reaction`, reached from 0; `None` if the reaction is on another grid.
 fn held(
     problem: Problem,
     euler_step: f64,

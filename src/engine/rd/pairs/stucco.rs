@@ -1,4 +1,4 @@
-//! Stucco: blotches of one round pair from noise, which its falling gain breaks up.
+//! Stucco: blotches from noise by one isotropic pair; a decrease of the gain breaks them up.
 //!
 //! A. Witkin & M. Kass let k fall from 3 to 0.6 in a time of 40/b while θ = 0.03 stays. Counted in K₀k, the threshold rises from
 //! θ₀ to θ₀ ÷ (1 − decay), decay = 1 − the last k ÷ the first: worms break up into dots.
@@ -11,7 +11,7 @@ use crate::attributes::pair_columns;
 use crate::attributes::system::{Description, Keys, LookupBy, picture};
 use crate::rd::systems::embedded;
 
-/// What the rest of the program has to know of stucco.
+/// The description of stucco.
 pub static STUCCO: Description = Description {
     name: "stucco",
     title: "Stucco",
@@ -28,7 +28,7 @@ pub static STUCCO: Description = Description {
     }],
     refused_keys: &[Keys {
         keys: &["maps.area", "maps.direction", "maps.aspect", "maps.duty"],
-        reason: "Blotches of stucco have no direction, and `options.decay` says how much they cover; their spacing can have a map",
+        reason: "Blotches of stucco have no direction, and `options.decay` determines their coverage; their spacing can have a map",
     }],
     lookup: LookupBy::Pairs(&Coordinates {
         by_directions: false,
@@ -48,11 +48,11 @@ pub struct Stucco;
 impl Stucco {
     /// The decay of the paper: 1 − 0.6 ÷ 3.
     pub const DECAY: f64 = 0.8;
-    /// The largest decay: above it the last blotches die.
+    /// The largest decay: above it the last blotches vanish.
     pub const MOST_DECAY: f64 = 0.85;
     /// θ₀/K₀k: 0.03 ÷ (0.2 · 3).
     const FIRST: f64 = 0.05;
-    /// The time in which the gain falls, in 1/b.
+    /// Duration of the decrease of the gain, in 1/b.
     const FALLING: f64 = 8.0;
 
     /// θ/K₀k by time.

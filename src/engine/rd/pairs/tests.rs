@@ -1,4 +1,4 @@
-//! Systems of pairs: linear theory, the twin, and that weaves weave.
+//! Systems of pairs: linear theory, comparison with the plain solver, and crossing threads of weaves.
 
 use super::*;
 use crate::grid::{Domain, Edges};
@@ -32,7 +32,7 @@ fn model(combination: Combination, threshold: f32) -> PairModel {
     }
 }
 
-/// A wave with `k` radians a cell across `degrees`: 0, ½ and 1 at its lowest, middle and highest.
+/// A wave with `k` radians per cell along x and y: 0, ½ and 1 at its lowest, middle and highest.
 fn wave(grid: &Grid, [kx, ky]: [f64; 2]) -> Vec<f32> {
     let at = |cell: usize| {
         let [x, y] = [(cell % grid.size[0]) as f64, (cell / grid.size[0]) as f64];
@@ -53,7 +53,7 @@ fn a_held_wave_comes_out_with_the_gain_of_the_theory() {
         let difference = &grown.differences()[0].values;
         let swing = difference.iter().copied().fold(f32::MIN, f32::max)
             - difference.iter().copied().fold(f32::MAX, f32::min);
-        // The stencil's own symbol: 2 − 2cos k for k².
+        // The symbol of the stencil replaces k² by 2 − 2cos k.
         let (x, y) = (2.0 - 2.0 * kx.cos(), 2.0 - 2.0 * ky.cos());
         let lambda = |across: f64| 1.0 + 4.0 * (9.0 * x + across * across * y);
         let wanted = 1.0 / lambda(1.0) - 1.0 / lambda(1.5);
@@ -151,7 +151,7 @@ fn lines_of_a_maze_do_not_cross() {
 
 #[test]
 fn a_drawn_line_stays_where_it_is_and_nothing_else_grows() {
-    // One line across a canvas with a threshold at which nothing is invented.
+    // One line across a canvas, with a threshold at which no other line appears.
     let maps = maps(96, &[(0.0, 2.0), (90.0, 2.0)]);
     let threshold = Course::Constant(0.25);
     let model = PairModel { threshold, ..model(Combination::Maximum, 0.25) };
@@ -165,7 +165,7 @@ fn a_drawn_line_stays_where_it_is_and_nothing_else_grows() {
     assert!(across.values.iter().all(|d| *d < threshold));
 }
 
-/// Mean width of what is above `level` along the columns of a square field, cells, by linear interpolation.
+/// Mean width of the areas above `level` along the columns of a square field, cells, by linear interpolation.
 fn width_along_columns(field: &crate::grid::Field, level: f32) -> f64 {
     let (side, mut covered, mut lines) = (field.width, 0.0, 0);
     for x in 0..side {
@@ -230,7 +230,7 @@ fn threads_that_cover_too_much_have_no_threshold() {
     assert_eq!(dense.threshold(&model, 1.0 - dense.duty(), 0.2, 1.0), None);
     let alone = Threads { width: 5.0, period: 5_000.0 };
     let size = alone.size(&model, 0.2, 1.0).expect("a thread alone");
-    // θ = ½ (e^(−w/ds) − e^(−w/s)), of a thread alone.
+    // θ = ½ (e^(−w/ds) − e^(−w/s)) for a single thread.
     let x = 5.0 / size;
     assert!((0.5 * ((-x / 1.5).exp() - (-x).exp()) - 0.2 * 0.2).abs() < 1e-6, "{x}");
 }
@@ -278,7 +278,7 @@ fn nothing_grows_where_the_threshold_is_raised() {
     assert_eq!(growth.concentrations().len(), 2);
 }
 
-/// Drawn lines of two pairs, of which the second is `times` as large as the first.
+/// Drawn lines of two pairs; the second is `times` as large as the first.
 fn of_two_sizes(times: f64) -> (PairParameterField, PairModel, PairStart) {
     let maps = maps(96, &[(0.0, 1.75), (90.0, (1.75 * times) as f32)]);
     let is_drawn = |cell: usize| cell / 96 % 16 < 5 || (cell % 96) as f64 % 48.0 < 4.0 * times;

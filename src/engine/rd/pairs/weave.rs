@@ -1,4 +1,4 @@
-//! What the rest of the program has to know of weaves.
+//! The description of weaves.
 
 use super::shared_description::THREADS;
 use crate::attributes::Attribute;
@@ -28,7 +28,7 @@ pub static WEAVE: Description = Description {
             ("between", Scale::Plain),
         ],
         answered: &[Coordinates::FACTOR],
-        // Three directions leave free what two do with denser threads.
+        // Three directions leave as much free as two directions with denser threads.
         duty: [[0.15, 0.4], [0.15, 0.24]],
     }),
     grown_errors: &[(Attribute::Width, [3.0, 7.0]), (Attribute::Period, [2.0, 6.0])],

@@ -1,15 +1,15 @@
-//! How much work a growth of pairs is, before it begins.
+//! The work of a growth of pairs, estimated before it begins.
 //!
-//! The time of a step falls with the square of the largest size, and the number of cells grows with the square of the smallest: the work
-//! goes with the fourth power of how much sizes differ.
+//! The time of a step falls with the square of the largest size, and the number of cells grows with the square of the smallest: the
+//! work goes with the fourth power of the ratio of the sizes.
 
 use super::Blurs;
 use super::own_grids::OwnGrids;
 use super::shared_grid::{STEP_LIMIT, SUPER_STEP_LIMIT};
 use crate::rd::super_step::{euler_steps_a_stage, suited};
 
-/// Work of a super step on grids of their own beside the stages, in updates of each cell of the finest grid by each pair: its difference
-/// is interpolated there, and its reaction is averaged.
+/// Work of a super step on grids of their own in addition to the stages, in updates of each cell of the finest grid by each pair:
+/// the difference is interpolated there, and the reaction is averaged.
 const AROUND: f64 = 10.0;
 
 /// The sizes of one pair.
@@ -22,14 +22,14 @@ pub struct Sizes {
 }
 
 impl Sizes {
-    /// Of a pair that has one size.
+    /// The sizes of a pair with one size everywhere.
     #[must_use]
     pub fn even(size: f64, blurs: Blurs) -> Self {
         Self { range: [size; 2], blurs }
     }
 
-    /// Longest stable Euler step, in 1/b, on cells that are so many times larger. The weights of a stencil add up to the trace of its tensor
-    /// at most.
+    /// Longest stable Euler step, in 1/b, on cells that are `larger` times as large. The weights of a stencil add up to at most the
+    /// trace of its tensor.
     fn step(&self, ratio: f64, larger: f64) -> f32 {
         let lengths = self.blurs.lengths(ratio);
         let square = |[along, across]: [f64; 2]| along * along + across * across;
@@ -38,8 +38,8 @@ impl Sizes {
     }
 }
 
-/// Updates of one morphogen in one cell that a growth for `time`, in 1/b, takes on a grid of so many `cells`. `ratio` is that of the model;
-/// `shared`: all pairs are on one grid, as where cells are taken.
+/// Updates of one morphogen in one cell in a growth for `time`, in 1/b, on a grid of this number of `cells`. `ratio` is that of the
+/// model. `shared`: all pairs are on one grid, as they are with obstacle cells.
 #[must_use]
 pub fn updates(cells: f64, pairs: &[Sizes], ratio: f64, time: f64, shared: bool) -> f64 {
     let least = pairs.iter().map(|pair| pair.range[0]);

@@ -14,7 +14,7 @@ use crate::rd::super_step::Stage;
 
 /// Concentrations that can be stepped.
 pub trait SparseChemicals: Debug + Send + Sync {
-    /// Takes one stage by a solver: all give the same bits.
+    /// Takes one stage by a solver; the bits do not depend on which one.
     fn step(&mut self, problem: &SparseProblem, clock: Clock, solver: Solver);
 
     /// One vector a chemical, in the order of the rows.
@@ -46,7 +46,7 @@ pub fn reacting_by_rows<const N: usize, K: Kinetics<N>>(
         return None;
     }
     let layout = layout::<N, K>();
-    // What fills up the last slice stands still, but must be finite.
+    // Rows that fill up the last slice do not change, but their values must be finite.
     let value = |chemical: usize, row: usize| rows.get(chemical).map_or(0.0, |of| of[row.min(count - 1)]);
     let pairs: Vec<Vec<[f32; 2]>> = layout.pairs[..layout.count]
         .iter()
@@ -65,7 +65,7 @@ struct Reacting<const N: usize, K> {
     count: usize,
     /// By pair, the current concentrations of each row.
     pairs: Vec<Vec<[f32; 2]>>,
-    /// The concentrations before the last step, which the next one replaces.
+    /// Buffer for the concentrations after the next step; holds those before the last step.
     next: Vec<Vec<[f32; 2]>>,
 }
 

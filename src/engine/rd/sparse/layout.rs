@@ -1,4 +1,4 @@
-//! Which chemicals are kept side by side: two that spread by the same operator are read together.
+//! Chemicals that are stored side by side: two that spread by one operator are read together.
 
 use crate::rd::kinetics::{Kinetics, Spreading};
 
@@ -9,7 +9,7 @@ pub struct Layout<const N: usize> {
     pub pairs: [[usize; 2]; N],
     /// The operator by which each pair spreads: the number of a tensor, or the number of tensors for the isotropic one.
     pub operators: [Option<usize>; N],
-    /// How many pairs there are.
+    /// Number of pairs.
     pub count: usize,
 }
 

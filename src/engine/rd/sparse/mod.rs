@@ -1,5 +1,5 @@
-//! Reaction and diffusion of points whose neighbours are listed one by one, as those of a mesh are: a plain solver, row by row, and a fast one
-//! by slices of rows.
+//! Reaction and diffusion of points whose neighbours are listed one by one, such as the vertices of a mesh: a plain solver, row by
+//! row, and a fast one by slices of rows.
 
 mod chemicals;
 mod layout;

@@ -4,13 +4,13 @@ use super::slices::{Slices, order};
 use super::sparse_rows::SparseRows;
 use crate::surface::Laplacian;
 
-/// The Laplacians of one system on one surface, for given stretches and directions. Growths with other rates and ratios can use the
-/// same.
+/// The Laplacians of one system on one surface, for given stretches and directions. Growths with other rates and ratios can use
+/// them, too.
 #[derive(Clone, Debug)]
 pub struct Operators {
-    /// Where each row comes from (`order[row] = vertex`).
+    /// The vertex of each row (`order[row] = vertex`).
     pub(in crate::rd) order: Vec<u32>,
-    /// One a tensor, then that of isotropic diffusion if the system needs it.
+    /// The rows of each tensor, then those of isotropic diffusion if the system needs it.
     pub(in crate::rd) rows: Vec<SparseRows>,
     /// The rows of each operator in slices.
     pub(in crate::rd) slices: Vec<Slices>,
@@ -20,7 +20,7 @@ impl Operators {
     /// Operators of given Laplacians, each with a factor for each row, and the area of a mean cell.
     ///
     /// # Panics
-    /// Where they have not all as many rows, and as many factors.
+    /// If their numbers of rows or of factors differ.
     #[must_use]
     pub fn of(laplacians: &[(Laplacian, Vec<f64>)], cell: f64) -> Self {
         let order = laplacians.first().map_or_else(Vec::new, |(laplacian, _)| order(laplacian));

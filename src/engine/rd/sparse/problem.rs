@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::operators::Operators;
 use crate::rd::kinetics::MOBILITIES;
 
-/// Coefficients of every row, multiplied by the time step. Rows are filled up to whole slices; what is filled up stands still.
+/// Coefficients of every row, multiplied by the time step. Rows are padded to whole slices; values in the padding do not change.
 #[derive(Clone, Debug)]
 pub struct SparseProblem {
     /// The Laplacians.

@@ -9,24 +9,24 @@ use crate::surface::Laplacian;
 
 /// Rows of a slice.
 pub const ROWS: usize = 16;
-/// Rows that are sorted by their length together, so that the rows of a slice have about the same: more would take neighbours
-/// apart.
+/// Number of rows that are sorted by their length together, so that the rows of a slice have about one length. In longer sequences
+/// neighbours would be separated.
 const SORTED: usize = 8 * ROWS;
 
-/// The numbers of one column of a slice.
+/// The entries of one column of a slice.
 #[repr(C, align(64))]
 #[derive(Clone, Copy, Debug)]
 pub struct Column {
     /// By row, its weight; 0 beyond the end of a row.
     pub weights: [f32; ROWS],
-    /// By row, whose concentrations it multiplies; beyond the end of a row those of the row itself.
+    /// By row, the index of the concentrations that the weight multiplies; beyond the end of a row the index of the row itself.
     pub at: [u32; ROWS],
 }
 
 /// Sparse rows by slice.
 #[derive(Clone, Debug)]
 pub struct Slices {
-    /// Where the columns of each slice begin, and the end of the last.
+    /// Start of the columns of each slice, and the end of the last.
     pub starts: Vec<u32>,
     /// The columns of all slices.
     pub columns: Vec<Column>,
@@ -43,7 +43,7 @@ pub fn order(laplacian: &Laplacian) -> Vec<u32> {
 }
 
 impl Slices {
-    /// The `rows` in slices. The last slice is filled up with rows of no entries.
+    /// The `rows` in slices. The last slice is padded with empty rows.
     #[must_use]
     pub fn new(rows: &SparseRows) -> Self {
         let mut slices = Self { starts: vec![0], columns: Vec::new() };

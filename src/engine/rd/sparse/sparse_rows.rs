@@ -7,16 +7,17 @@ use crate::surface::Laplacian;
 /// A sparse matrix without its diagonal, row by row: L u = Σⱼ wᵢⱼ (uⱼ − uᵢ).
 #[derive(Clone, Debug)]
 pub struct SparseRows {
-    /// Where each row begins, and the end of the last.
+    /// Start of each row, and the end of the last.
     pub starts: Vec<u32>,
     /// By entry, the column.
     pub columns: Vec<u32>,
-    /// By entry.
+    /// By entry, the weight.
     pub weights: Vec<f32>,
 }
 
 impl SparseRows {
-    /// The rows of `laplacian` in an order (`order[new] = old`), with the area of a mean cell as the unit, each times its `factor`.
+    /// The rows of `laplacian` in an order (`order[new] = old`), with the area of a mean cell as the unit; each row is multiplied
+    /// by its `factor`.
     #[must_use]
     pub fn new(laplacian: &Laplacian, order: &[u32], unit: f64, factor: impl Fn(usize) -> f64) -> Self {
         let mut places = vec![0; order.len()];
@@ -45,7 +46,7 @@ impl SparseRows {
         self.starts[row] as usize..self.starts[row + 1] as usize
     }
 
-    /// How many rows it has.
+    /// Number of rows.
     #[must_use]
     pub fn count(&self) -> usize {
         self.starts.len() - 1

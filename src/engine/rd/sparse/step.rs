@@ -1,6 +1,6 @@
 //! The fast solver: slice by slice with vector instructions, multithreaded; bit for bit what [`super::plain`] computes.
 //!
-//! The sums of a row are added up in the order of its entries, and what fills up a row adds exactly 0.
+//! The sums of a row are added up in the order of its entries, and padding adds exactly 0.
 
 use std::ops::Range;
 
@@ -18,10 +18,10 @@ use crate::rd::wavefront::Instructions;
 
 /// Fewest slices that are given to a thread: some 5 µs for each step.
 const SLICES_A_PART: usize = 64;
-/// Parts for each thread: where one is interrupted, the others take over what is left.
+/// Parts per thread: if one thread is interrupted, the others take over the remaining parts.
 const PARTS_A_THREAD: usize = 3;
 
-/// Takes one stage, as [`super::plain::step`]. Instructions that the machine lacks are replaced by the baseline.
+/// Takes one stage, with the bits of [`super::plain::step`]. Instructions that the machine lacks are replaced by the baseline.
 pub fn step<const N: usize, K: Kinetics<N>>(
     problem: &SparseProblem,
     kinetics: &K,
@@ -65,7 +65,7 @@ struct Part<'a, const N: usize, K> {
     stage: Stage,
     old: &'a [Vec<[f32; 2]>],
     slices: Range<usize>,
-    /// From the first of these slices on.
+    /// The new concentrations, from the first of these slices on.
     new: [&'a mut [[f32; 2]]; N],
 }
 

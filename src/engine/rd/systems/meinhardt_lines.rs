@@ -25,8 +25,10 @@ use crate::rd::definition::{
 use crate::rd::gabor::{self, Kernels};
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::line_noise::Reach;
+use crate::rd::oriented_waves::{WaveStart, WaveValue};
 use crate::rd::parameter_field::{ParameterField, Parameters};
 use crate::rd::selling::PrincipalAxes;
+use crate::rd::sparse::reacting_by_rows;
 use crate::rd::start::{Start, by_cell};
 use crate::rd::sweep;
 use crate::rd::systems::meinhardt_spots::{MeinhardtSpots, show_peaks};
@@ -53,7 +55,7 @@ static DEFINITION: Definition = Definition {
         columns: &columns::LINES,
         training: embedded!("meinhardt-lines"),
         neighbours: &[56, 100],
-        // Lines of ratio R are R^−0.37 as wide.
+        // The width of lines is proportional to R^−0.37.
         scaling: Scaling { ratio: 0.74, level: 0.0 },
         ..Description::PLAIN
     },
@@ -62,9 +64,17 @@ static DEFINITION: Definition = Definition {
     tensors: &[PrincipalAxes::of_unit_width],
     mobilities: meinhardt_spots::mobilities,
     reacting: |_, _, planes| reacting(MeinhardtLines, planes),
-    by_rows: None,
+    by_rows: Some(|rows| reacting_by_rows(MeinhardtLines, rows)),
     fineness: None,
-    begin: Begin::Waves(begin),
+    begin: Begin::Waves {
+        on_grid: begin,
+        on_any: Some(WaveStart {
+            kernels: NOISE_ON_SURFACES,
+            lead: LEAD,
+            value: WaveValue::Phase,
+            fill: write_lines,
+        }),
+    },
     peaks: Some(peaks),
     show: |chemicals, peaks, marks| show_peaks(chemicals[0], peaks, marks),
     decay_noise: None,
@@ -81,14 +91,14 @@ static DEFINITION: Definition = Definition {
             width * width
         },
         spacing: wavelength,
-        // As `width`.
+        // The inverse of `width`.
         rate: |width, ratio, _| {
             let root = 14.8 * libm::pow(ratio / 10.0, -0.37) / width;
             root * root
         },
     },
     compensation: 0.0,
-    // Discretisation narrows a line of 5 cells by 1.5 %, one of 4 by 3 %. The training set reaches to widths of 9.
+    // The error of the grid narrows a line of 5 cells by 1.5 %, one of 4 by 3 %. The training set reaches to widths of 9.
     resolution: Resolution {
         least: 9.0,
         enough: 11.0,
@@ -96,12 +106,12 @@ static DEFINITION: Definition = Definition {
         planned: MarkCells { own_distance: 8.0, asked_distance: 5.0 },
         exact: MarkCells { own_distance: 14.0, asked_distance: 8.0 },
     },
-    // Formed at T = 15. Bent lines drift for ever, at 0.02 per unit of time, and where lines meet one of them ends: from T = 15
-    // to 60 their distance grew by 4 %, to 300 by 10 %.
+    // Formed at T = 15. Bent lines drift for ever, at 0.02 per unit of time, and where lines meet one of them ends: from T = 15 to
+    // 60 their distance grew by 4 %, to 300 by 10 %.
     convergence: Convergence { earliest: 15.0, latest: 120.0, drift: 0.04, corrected: 4.0, still: 0.04 },
     scatter: Scatter { size: 0.01, spacing: 0.016, elongation: 0.0, turn: 0.42 },
     tolerated: Scatter { size: 0.03, spacing: 0.03, elongation: 0.0, turn: 1.0 },
-    // A Gaussian across: ln width = ½ ln ln(1/l) + c.
+    // The profile across is a Gaussian: ln width = ½ ln ln(1/l) + c.
     level_slope: -0.72,
     spots: None,
     cost: Cost { seconds_a_cell: 4e-6, bytes_a_cell: 150.0, updates: 0.53, updates_on_one_grid: 1.15 },
@@ -151,41 +161,43 @@ fn peaks(ratios: &[f32], peaks: &mut [f32]) {
 
 /// Distance from line to line × √rate, the rate being s/√(DₐD_b) with Dₐ that across the lines.
 ///
-/// Lines stay where they begin, so that the system has no distance of its own. At this one the fewest lines end: some of
-/// closer ones (31 at all ratios) vanish, and lines of higher ratios, which are thinner at the same distance, break into
-/// pieces: 21 of them at R = 60 and distance 38, 3 at R = 30 and 53.
+/// Lines stay where they begin, so that the system has no distance of its own. At this distance the fewest lines end. Of lines at a
+/// distance of 31, some vanish at all ratios. Lines of higher ratios, which are thinner at equal distances, break into pieces: 21
+/// lines at R = 60 and distance 38, 3 at R = 30 and 53.
 fn wavelength(ratio: f32) -> f64 {
     32.0 * exp(0.55 * ln(f64::from(ratio) / 12.0))
 }
 
-/// Width of a line at half its peak × √rate. Fitted as [`peak`] is.
+/// Width of a line at half its peak × √rate. Fitted to the lines of [`peak`].
 fn width(ratio: f32) -> f64 {
     14.8 * exp(-0.37 * ln(f64::from(ratio) / 10.0))
 }
 
 /// Measured on rings and webs around grown spots (`facts.md` M).
 const ALONG_CURVES: LinesAlongCurves = LinesAlongCurves {
-    // From 20 on lines move towards the marks beneath and break where three meet; at 12 they split in wide gaps, and at 10
-    // they fill the gaps.
+    // From a ratio of 20 on lines move towards the marks beneath and break where three meet; at 12 they split in wide gaps, and at
+    // 10 they fill the gaps.
     ratio: 15.0,
     // The inhibitor of all three lines adds up: at a ratio of 15 they separate after T = 60.
     ratio_at_junctions: 8.0,
-    // Webs in the open break into spots at 1 : 1.5, and widen where they bend at 1 : 10. The stronger the anisotropy, the
-    // more a bent line moves to the inner side of its bend: rings, which are held in their lane, move against their marks
-    // at 1 : 2.
+    // Webs far from marks break into spots at 1 : 1.5, and widen at bends at 1 : 10. The stronger the anisotropy, the more a bent
+    // line moves to the inner side of its bend: rings, which cannot leave the gap around their mark, move against their marks at 1
+    // : 2.
     rings: CurveLaw { root_rate: 12.5, stretch: 0.82 },
     web: CurveLaw { root_rate: 15.8, stretch: 0.5 },
 };
-/// Noise whose crests have the distance and the direction of the lines. Lines repair fewer defects than stripes: with these
-/// kernels half as many end as with those of stripes, and no more where directions change.
+/// Noise whose crests have the distance and the direction of the lines. Lines repair fewer defects than stripes: with these kernels
+/// only half as many lines end as with the kernels of stripes, and no more where directions change.
 const NOISE: Kernels = Kernels { reach: [8.0, 4.0], density: 0.6 };
+/// On surfaces directions turn and surfaces bend within long kernels: shorter ones follow both.
+const NOISE_ON_SURFACES: Kernels = Kernels { reach: [5.0, 2.5], density: 0.8 };
 /// The noise follows guide lines over a long distance.
 const LEAD: Reach = Reach { beyond: [0.0, 4.0], across: [0.4, 3.0] };
 /// Standard deviation of the initial profile, a Gaussian, ÷ the width of the line it becomes: its width at
 /// half height is then that of the line.
 const PROFILE: f64 = 0.42;
 
-/// Along curves, or along the crests of oriented waves.
+/// Initial lines along curves, or along the crests of oriented waves.
 fn begin(start: &Start, maps: &ParameterField) -> Vec<Vec<f32>> {
     if let Some(curves) = start.curves {
         return profiles(maps, &curves.distance, |distance, _| distance);
@@ -193,7 +205,7 @@ fn begin(start: &Start, maps: &ParameterField) -> Vec<Vec<f32>> {
     let spacing = |p: &Parameters| System::MEINHARDT_LINES.spacing(p);
     let led = (start.lines, LEAD);
     let phases = gabor::phases(maps, &spacing, NOISE, led, &mut start.random());
-    // The stripes along the given lines have the phase 0; lines in the gaps between these have the phase π.
+    // Stripes along the given lines have phase 0; lines in the gaps between these stripes have phase π.
     let from_line = |phase: f64| match start.polarity {
         Polarity::Positive => phase,
         Polarity::Negative => PI - phase.abs(),
@@ -201,21 +213,37 @@ fn begin(start: &Start, maps: &ParameterField) -> Vec<Vec<f32>> {
     profiles(maps, &phases, |phase, p| from_line(phase) / TAU * spacing(p))
 }
 
-/// A Gaussian profile across each line. `distance` gives the distance from its centre line, cells, from the value of a cell
-/// in `known`.
+/// A Gaussian profile across each line. `distance` converts the value of a cell in `known` to its distance from the centre line,
+/// cells.
 fn profiles(
     maps: &ParameterField,
     known: &[f32],
     distance: impl Fn(f64, &Parameters) -> f64 + Sync,
 ) -> Vec<Vec<f32>> {
     by_cell(maps, 2, known, |chemicals, known, parameters| {
-        for (i, (known, p)) in known.iter().zip(parameters).enumerate() {
-            let deviation = PROFILE * width(p.ratio) / f64::from(p.rate).sqrt();
-            let off = distance(f64::from(*known), p) / deviation;
-            let profile = exp(-0.5 * off * off) as f32;
-            (chemicals[0][i], chemicals[1][i]) = (0.02 + peak(p.ratio) * profile, 0.3);
-        }
+        write_profiles(chemicals, known, parameters, &distance);
     })
+}
+
+/// Writes the concentrations of lines with a centre line where the phase is 0.
+fn write_lines(chemicals: &mut [&mut [f32]], phases: &[f32], parameters: &[Parameters]) {
+    write_profiles(chemicals, phases, parameters, |phase, p| {
+        phase / TAU * System::MEINHARDT_LINES.spacing(p)
+    });
+}
+
+fn write_profiles(
+    chemicals: &mut [&mut [f32]],
+    known: &[f32],
+    parameters: &[Parameters],
+    distance: impl Fn(f64, &Parameters) -> f64,
+) {
+    for (i, (known, p)) in known.iter().zip(parameters).enumerate() {
+        let deviation = PROFILE * width(p.ratio) / f64::from(p.rate).sqrt();
+        let off = distance(f64::from(*known), p) / deviation;
+        let profile = exp(-0.5 * off * off) as f32;
+        (chemicals[0][i], chemicals[1][i]) = (0.02 + peak(p.ratio) * profile, 0.3);
+    }
 }
 
 /// No activator, and the inhibitor concentration between lines.

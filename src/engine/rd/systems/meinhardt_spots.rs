@@ -49,7 +49,7 @@ static DEFINITION: Definition = Definition {
         columns: &columns::SPOTS,
         training: embedded!("meinhardt-spots-narrow", "meinhardt-spots-orientation", "meinhardt-spots-size"),
         neighbours: &[32, 40, 225, 32, 40, 40],
-        // Areas fall as 1/R within 7 % from 12 to 60 and grow as e^(2.85 (½ − l)) from level ½ to 0.2 (`facts.md` B).
+        // Areas are proportional to 1/R within 7 % from 12 to 60, and to e^(2.85 (½ − l)) from threshold ½ to 0.2 (`facts.md` B).
         scaling: Scaling { ratio: 1.0, level: 2.85 },
         isolated: Some(ISOLATED),
         ..Description::PLAIN
@@ -107,7 +107,7 @@ static DEFINITION: Definition = Definition {
             // Of 600 spots one merged at 10° (length 0.85) and at 20° (0.67), none at 30° (0.59); a per cent did at
             // twice that.
             turn: TurnLimit { degrees: 8.5, length: 0.85, power: 3.0 },
-            // They push each other back from places that are more uneven.
+            // Neighbours push spots back from more uneven places.
             spacing: 0.16,
         },
     }),
@@ -135,13 +135,13 @@ const ISOLATED: IsolatedSpots = IsolatedSpots {
     // Spots of ratio 12 split in two without end; those of 13, 14, 15, 20, 30 do not, and settle after 510, 600, 740,
     // 1,450 and 2,450 steps.
     ratio: 15.0,
-    // The highest level is used if they have room; down to the lowest otherwise, where a spot of the same size is the foot of a
-    // smaller peak.
+    // The highest threshold is used if spots have room, down to the lowest otherwise. At a low threshold a spot of one size is the
+    // foot of a smaller peak.
     highest_level: 0.5,
     lowest_level: 0.25,
     // Measured 205–209 at 27–136 cells, stretch 0.3–1.
     area: 208.4,
-    // At levels ½, 0.35, ¼ area · rate was 208.4, 320.5, 425.
+    // At thresholds ½, 0.35, ¼ area · rate was 208.4, 320.5, 425.
     foot: 1.03,
     // Patches of pitch 1, 1.5, 2.5, 4 had 127.4, 179.4, 208.0, 208.9.
     crowding: Crowding { c: 0.389, a: 1.33, b: 1.45 },
@@ -164,8 +164,8 @@ pub struct MeinhardtSpots;
 const P1: f32 = 0.03;
 /// Decay of b.
 pub const P2: f32 = 0.04;
-/// Lower bounds of a and b. Far from any spot both decay for ever; without bounds a² and b would underflow in 32 bits, and
-/// a²/b would be NaN. They are too low to be visible, and that of b is so far above that of a that a²/b stays negligible.
+/// Lower bounds of a and b. Far from any spot both decay for ever; without bounds a² and b would underflow in 32 bits, and a²/b
+/// would be NaN. The bounds are too low to be visible, and the bound of b is so far above that of a that a²/b stays negligible.
 const LEAST: [f32; 2] = [1e-17, 1e-12];
 // β = 1 and p₃ = 0: noise in β makes spots uneven, p₃ > 0 makes them sparser (`facts.md` B).
 
@@ -197,7 +197,7 @@ fn peaks(ratios: &[f32], peaks: &mut [f32]) {
     peaks.iter_mut().zip(ratios).for_each(|(value, ratio)| *value = peak(*ratio));
 }
 
-/// Distance of places × √rate. Fitted to `facts.md` B.
+/// Distance of spots × √rate. Fitted to `facts.md` B.
 fn spacing(ratio: f32) -> f64 {
     let r = f64::from(ratio);
     36.0 + 0.045 * (r - 15.0)
@@ -208,7 +208,7 @@ fn area(ratio: f32) -> f64 {
     1960.0 / f64::from(ratio)
 }
 
-/// Radius of an initial bell ÷ spacing: about that of the spot it becomes.
+/// Radius of an initial bell ÷ spacing: about that of the spot that grows from it.
 fn radius(ratio: f32) -> f64 {
     0.6 * libm::pow(f64::from(ratio), -0.45)
 }

@@ -20,6 +20,7 @@ use crate::rd::definition::{
 use crate::rd::gabor::{self, Kernels};
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::line_noise::{Reach, lead};
+use crate::rd::oriented_waves::{WaveStart, WaveValue};
 use crate::rd::parameter_field::{ParameterField, Parameters};
 use crate::rd::seeding::{Seeding, seeded, waves};
 use crate::rd::selling::PrincipalAxes;
@@ -58,7 +59,15 @@ static DEFINITION: Definition = Definition {
     reacting: |_, _, planes| reacting(MeinhardtStripes, planes),
     by_rows: Some(|rows| reacting_by_rows(MeinhardtStripes, rows)),
     fineness: None,
-    begin: Begin::Waves(begin),
+    begin: Begin::Waves {
+        on_grid: begin,
+        on_any: Some(WaveStart {
+            kernels: NOISE_ON_SURFACES,
+            lead: LEAD,
+            value: WaveValue::Height,
+            fill: write_ripples,
+        }),
+    },
     peaks: None,
     show: |chemicals, _, marks| {
         for ((mark, a), b) in marks.iter_mut().zip(chemicals[0]).zip(chemicals[1]) {
@@ -158,6 +167,8 @@ impl Kinetics<5> for MeinhardtStripes {
 
 /// Noise with the wavelength and the direction of the stripes.
 const NOISE: Kernels = Kernels { reach: [4.0, 1.8], density: 2.0 };
+/// On surfaces directions turn and surfaces bend within long kernels: shorter ones follow both.
+const NOISE_ON_SURFACES: Kernels = Kernels { reach: [3.0, 1.5], density: 2.0 };
 /// Stripes repair defects: the noise follows guide lines over a short distance.
 const LEAD: Reach = Reach { beyond: [0.0, 1.5], across: [0.4, 1.3] };
 
@@ -185,18 +196,22 @@ fn begin(start: &Start, maps: &ParameterField) -> Vec<Vec<f32>> {
 /// The ground at rest with a and d raised, b and e lowered by `noise`.
 fn ripples(noise: &[f32]) -> Vec<Vec<f32>> {
     let mut cells = REST.map(|c| vec![c; noise.len()]);
-    for (i, noise) in noise.iter().enumerate() {
-        let n = (0.2 * noise).clamp(-0.9, 0.9);
-        for (chemical, sign) in [(0, 1.0), (1, -1.0), (3, 1.0), (4, -1.0)] {
-            cells[chemical][i] *= 1.0 + sign * n;
+    write_ripples(&mut cells.each_mut().map(Vec::as_mut_slice), noise, &[]);
+    cells.into()
+}
+
+/// Writes the ground at rest with a and d raised, b and e lowered by `noise`.
+fn write_ripples(cells: &mut [&mut [f32]], noise: &[f32], _: &[Parameters]) {
+    for (chemical, (cells, rest)) in cells.iter_mut().zip(REST).enumerate() {
+        let sign = [1.0, -1.0, 0.0, 1.0, -1.0][chemical];
+        for (cell, noise) in cells.iter_mut().zip(noise) {
+            *cell = rest * (1.0 + sign * (0.2 * noise).clamp(-0.9, 0.9));
         }
     }
-    cells.into()
 }
 
 /// Wavelength × √rate (`facts.md` C: 81√(Dₐ/s)).
 const WAVELENGTH: f64 = 81.0;
 
-/// The ground between stripes: the mirror image, a for b and d for e, of the state that `facts.md` G holds a net's cells
-/// at.
+/// The ground between stripes: the state of a net's cells in `facts.md` G, with a and b exchanged, and d and e.
 const OBSTACLE: [f32; 5] = [0.05, 1.95, 0.33, 0.69, 1.31];

@@ -17,7 +17,7 @@ macro_rules! rows {
         include_bytes!(concat!(env!("OUT_DIR"), "/", $name, ".rows"))
     };
 }
-/// None: they are brought later.
+/// No rows: they are brought later.
 #[cfg(feature = "late-assets")]
 macro_rules! rows {
     ($name:literal) => {

@@ -1,12 +1,12 @@
-//! Turing's system with a growth that varies over the canvas.
+//! Turing's system with a parameter G that varies over the canvas.
 //!
 //! ∂a/∂t = kₐ(G − ab) + ∇·(Dₐ∇a), a ≥ 0
 //! ∂b/∂t = kₐ(ab − b − β) + ∇·(D_b∇b), b ≥ 0, β = 20
 //!
 //! Lawlor, "Reaction-diffusion textures with multigrid" (2003), after Turk, "Generating textures on arbitrary surfaces using
-//! reaction-diffusion" (1991). At β = 20 dots of b grow up to G = 20, worms from 21 to 26, holes in b from 27 on. The share of the cells with
-//! b > 3 rises from 0.48 at G = 18 to 0.87 at 27; below 17.5 b dies out, above 27.5 nothing is left of the holes. The distance of marks
-//! hardly depends on G. `data-gen growth-map` draws what grows at each G and β.
+//! reaction-diffusion" (1991). At β = 20 dots of b grow up to G = 20, worms from 21 to 26, holes in b from 27 on. The share of the
+//! cells with b > 3 rises from 0.48 at G = 18 to 0.87 at 27; below 17.5 b dies out, above 27.5 nothing is left of the holes. The
+//! distance of marks hardly depends on G. `data-gen growth-map` draws what grows at each G and β.
 
 use crate::attributes::system::{Description, Family, Keys, MarkKind, picture};
 use crate::rd::chemicals::{Chemicals, reacting};
@@ -23,15 +23,15 @@ use crate::rd::vector::Number;
 use rand::RngExt;
 
 impl System {
-    /// Two chemicals; dots, worms or holes, as [`ParameterField::growth`] says. It follows from laws and not from training rows, so that it is none
-    /// of [`Self::ALL`].
+    /// Two chemicals; dots, worms or holes, depending on [`ParameterField::growth`]. Its parameters follow from laws and not from
+    /// training rows, so that it is not in [`Self::ALL`].
     #[must_use]
     pub const fn with_growth() -> Self {
         Self::new(&DEFINITION)
     }
 }
 
-/// G where nothing says more: worms.
+/// The usual G: worms.
 const USUAL: f32 = 22.0;
 
 static DEFINITION: Definition = Definition {
@@ -39,21 +39,21 @@ static DEFINITION: Definition = Definition {
         name: "turing-growth",
         title: "Turing's growth",
         noun: "Turing's growth",
-        help: "Dots, worms and holes, by a growth that a picture or noise drives",
+        help: "Dots, worms and holes, whose kind a picture or noise determines",
         picture: picture!("turing-growth"),
         kind: Family::Growth,
         marks: MarkKind::Stripes,
         either_marks: true,
         grows_blank: true,
-        lowest_alone: Some("Turing's growth makes the lowest layer, which has the whole canvas"),
+        lowest_alone: Some("Turing's growth needs the whole canvas, which only the lowest layer has"),
         tone: true,
         own_keys: &[Keys {
             keys: &["maps.growth"],
-            reason: "Only Turing's growth follows such a map: set \"system\" to \"turing-growth\"",
+            reason: "Only Turing's growth uses this map: set \"system\" to \"turing-growth\"",
         }],
         refused_keys: &[Keys {
             keys: &["maps.area", "maps.spacing", "maps.direction", "maps.aspect", "maps.duty"],
-            reason: "Of Turing's growth the growth can have a map, and the colour",
+            reason: "With Turing's growth only the growth and the colour can have maps",
         }],
         ..Description::PLAIN
     },
@@ -64,7 +64,7 @@ static DEFINITION: Definition = Definition {
     reacting: with_growth,
     by_rows: None,
     fineness: None,
-    begin: Begin::Waves(begin),
+    begin: Begin::Waves { on_grid: begin, on_any: None },
     peaks: None,
     show: |chemicals, _, marks| {
         for (mark, b) in marks.iter_mut().zip(chemicals[1]) {
@@ -77,8 +77,8 @@ static DEFINITION: Definition = Definition {
     obstacle_rim: 0.25,
     growth: Some(USUAL),
     decay: 1.0,
-    // Lawlor steps by 0.5 at kₐ = 0.0125, this is twice as much. From white noise b explodes where it comes late to much a; from waves it
-    // does not: a stays below 30.
+    // Lawlor's step is 0.5 at kₐ = 0.0125; this is twice as long. From white noise b explodes where it reaches a region with much a
+    // late. From waves it does not: a stays below 30.
     reaction_limit: 0.0125,
     // Steps of Euler alone: super steps were not tried here.
     super_step_limit: 0.0,
@@ -99,7 +99,7 @@ static DEFINITION: Definition = Definition {
         planned: MarkCells::always(6.0),
         exact: MarkCells::always(6.0),
     },
-    // Ink is within 0.01 of its limit from T = 6 on at G = 20 and more, from 11 at 18.
+    // The share of ink is within 0.01 of its limit from T = 6 on for G = 20 and more, from T = 11 on for G = 18.
     convergence: Convergence { earliest: 8.0, latest: 40.0, drift: 0.025, corrected: 6.0, still: 0.02 },
     scatter: NONE,
     tolerated: NONE,
@@ -114,7 +114,7 @@ static DEFINITION: Definition = Definition {
 /// Nothing is corrected by probes.
 const NONE: Scatter = Scatter { size: 0.0, spacing: 0.0, elongation: 0.0, turn: 0.0 };
 
-/// β where nothing says more.
+/// The usual β.
 const BETA: f32 = 20.0;
 /// Dₐ/D_b: 0.25 ÷ 0.03125.
 const RATIO: f32 = 8.0;
@@ -122,12 +122,12 @@ const RATIO: f32 = 8.0;
 const EDGE: f32 = 3.0;
 /// Distance of marks × √(kₐ/√(DₐD_b)): 9.0 cells at Lawlor's parameters (`facts.md` V).
 const WAVELENGTH: f64 = 3.38;
-/// The noise that it begins from: waves of all directions, as far apart as marks. White noise takes five times as long, and dies out where
-/// G is low: b uses up a everywhere at once.
+/// The initial noise: waves of all directions, as far apart as marks. White noise takes five times as long, and the pattern
+/// vanishes where G is low: b uses up a everywhere at once.
 const NOISE: Kernels = Kernels { reach: [1.0; 2], density: 3.0 };
-/// a and b at the beginning: mean, and change with a standard deviation of the noise.
+/// Initial a and b: mean, and change for one standard deviation of the noise.
 const START: [[f32; 2]; 2] = [[6.0, -2.0], [6.0, 6.0]];
-/// Much b and little a: what keeps marks away.
+/// Concentrations that keep marks away: much b and little a.
 const OBSTACLE: [f32; 2] = [2.0, 12.0];
 
 /// a, b and G, which varies in space and is constant in time.
@@ -156,7 +156,7 @@ impl Kinetics<3> for TuringGrowth {
     }
 }
 
-/// a and b with the growth of each cell.
+/// a and b with the parameter G of each cell.
 fn with_growth(maps: &ParameterField, grid: RowLayout, mut planes: Vec<Plane>) -> Option<Box<dyn Chemicals>> {
     let growth = if maps.growth.is_empty() {
         Plane::from_cells(grid, &vec![USUAL; maps.parameters.len()])
@@ -170,7 +170,7 @@ fn with_growth(maps: &ParameterField, grid: RowLayout, mut planes: Vec<Plane>) -
 /// Noise of waves in all directions.
 fn begin(start: &Start, maps: &ParameterField) -> Vec<Vec<f32>> {
     let mut random = start.random();
-    // A wave has the direction of the place where it begins.
+    // A wave has the direction of the cell at which it begins.
     let turned = |p: &Parameters| Parameters { direction: 180.0 * random.random::<f32>(), ..*p };
     let turned = ParameterField::new(maps.domain, maps.parameters.iter().map(turned).collect());
     let wavelength = |p: &Parameters| System::with_growth().spacing(p);
@@ -186,7 +186,7 @@ mod tests {
     /// Cells along a side.
     const SIDE: usize = 96;
 
-    /// What grows at Lawlor's parameters with this growth at each cell, after so many steps.
+    /// The growth from Lawlor's parameters with this G at each cell, after `steps` steps.
     fn grown(growth: Vec<f32>, steps: u64) -> Growth {
         let rate = 0.0125 / (0.25_f32 * 0.03125).sqrt();
         let parameters = Parameters { rate, ratio: 1.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
@@ -202,7 +202,7 @@ mod tests {
     }
 
     #[test]
-    fn the_share_of_ink_is_the_law_of_the_growth() {
+    fn the_share_of_ink_follows_the_law_for_g() {
         for (growth, wanted) in [(18.5, 0.48), (20.0, 0.53), (22.0, 0.61), (25.0, 0.74), (27.0, 0.87)] {
             let found = ink(&grown(vec![growth; SIDE * SIDE], 2_500).marks().values);
             assert!((found - wanted).abs() < 0.03, "{growth}: {found} of {wanted}");
@@ -212,7 +212,7 @@ mod tests {
     #[test]
     fn marks_are_as_far_apart_as_the_law_says() {
         let marks = grown(vec![22.0; SIDE * SIDE], 2_500).marks().values;
-        // The autocorrelation of worms of all directions has its first minimum at 0.61 of their distance (zero of J₁).
+        // The autocorrelation of worms in all directions has its first minimum at 0.61 of their distance (zero of J₁).
         let mean = marks.iter().sum::<f32>() / marks.len() as f32;
         let alike = |lag: usize| -> f32 {
             (0..SIDE * SIDE)

@@ -3,11 +3,10 @@
 //! ∂a/∂t = kₐ(16 − ab) + ∇·(Dₐ∇a)
 //! ∂b/∂t = kₐ(ab − b − β) + ∇·(D_b∇b), b ≥ 0
 //!
-//! Turing, "The chemical basis of morphogenesis" (1952); in this form Turk, "Generating textures on arbitrary
-//! surfaces using reaction-diffusion" (1991), and Phan & Grimm, "Sketching reaction-diffusion texture"
-//! (2006), appendix A. A spot is where b is used up. Its size and the spacing go together: area ≈ 0.21
-//! spacing². a stays above 2 in patterns; it is bounded by 0 as well, because at rates of 0.38 and more the first spots on a
-//! canvas with room for one or two can contain so much b that a step of a overshoots.
+//! Turing, "The chemical basis of morphogenesis" (1952); in this form Turk, "Generating textures on arbitrary surfaces using
+//! reaction-diffusion" (1991), and Phan & Grimm, "Sketching reaction-diffusion texture" (2006), appendix A. A spot is where b is
+//! used up. Its size determines the spacing: area ≈ 0.21 spacing². In patterns a stays above 2. It is bounded by 0 as well: at
+//! rates of 0.38 and more the first spots on a canvas with room for one or two can contain so much b that a step of a overshoots.
 
 use crate::attributes::Attribute;
 use crate::attributes::columns;
@@ -65,14 +64,14 @@ static DEFINITION: Definition = Definition {
             *mark = share(*a);
         }
     },
-    // Spots of 27 cells under β ± 3, one number a cell, vary by 0.44 in area and have an aspect of 0.60 (`facts.md` G); of
-    // 48 cells under this noise they vary by 0.40, with 0.70, at 0.3 by 0.19, with 0.82, at 1 a tenth of them is bent. Of
-    // two neighbours one in nine merges with the other, and without a higher rate the mean area would rise by 21 %, the
-    // distance by 6 %; at half the deviation by 3 % and 1 %.
+    // Spots of 27 cells under β ± 3, with independent values in all cells, vary by 0.44 in area and have an aspect of 0.60
+    // (`facts.md` G). Spots of 48 cells under this noise vary by 0.40, with an aspect of 0.70; at a strength of 0.3 by 0.19, with
+    // 0.82; at 1 a tenth of them is bent. One in nine spots merges with a neighbour. Without a higher rate the mean area would rise
+    // by 21 % and the distance by 6 %; at half the deviation by 3 % and 1 %.
     decay_noise: Some(DecayNoise { deviation: 0.6, rate: 0.13 }),
     along_curves: None,
     obstacle: &OBSTACLE,
-    // Half of the distance at which the edges of spots are kept.
+    // Half of the distance at which the edges of spots lie from an obstacle.
     obstacle_rim: 0.25,
     growth: None,
     decay: 1.0,
@@ -83,7 +82,7 @@ static DEFINITION: Definition = Definition {
     laws: Laws { size: |_| AREA, spacing: |_| SPACING, rate: |area, _, _| 5.2 / area },
     // Spots have a hard edge: this removes two thirds of an error of 6 % in area, and none of the error in aspect.
     compensation: 20.0,
-    // Round spots of 48 cells kept 1.1 % of aspect from a grid of 21 cells a spot, and still from one of 25.
+    // Round spots of 48 cells lost 1.1 % of aspect from a grid of 21 cells per spot, and still as much from one of 25.
     resolution: Resolution {
         least: 22.0,
         enough: 27.0,
@@ -92,7 +91,7 @@ static DEFINITION: Definition = Definition {
         exact: MarkCells::always(120.0),
     },
     convergence: Convergence { earliest: 20.0, latest: 150.0, drift: 0.008, corrected: 6.0, still: 0.02 },
-    // The scatter of the largest elongation.
+    // The scatter for the largest elongation.
     scatter: Scatter { size: 0.004, spacing: 0.0, elongation: 0.018, turn: 1.0 },
     tolerated: Scatter { size: 0.01, spacing: 0.02, elongation: 0.01, turn: 0.5 },
     level_slope: -1.44,
@@ -100,7 +99,7 @@ static DEFINITION: Definition = Definition {
         // Of 36 pairs 20 lost a spot at a distance of 0.72 spacings, three at 0.82.
         merging: MergingDistance { least: 0.87, by_root_density: 0.0 },
         own_variation: OwnVariation { area: 0.045, shape: 0.055 },
-        // Above this, spots lose their shape (angle) and repel each other back (spacing).
+        // With a larger spread, spots lose their shape (angle) or repel each other back (spacing).
         variation: Variation::Fixed(crate::attributes::Spread {
             area: 0.6,
             angle: 25.0,
@@ -135,12 +134,12 @@ pub struct TuringSpots;
 
 /// Growth of a: 16, as published.
 const GROWTH: f32 = 16.0;
-/// Decay of b, the same over the grid except for irregular spots: [`TuringSpotsWithDecayNoise`].
+/// Decay of b, equal over the grid except for irregular spots: [`TuringSpotsWithDecayNoise`].
 const BETA: f32 = 12.0;
 
 /// Dₐ/D_b. `facts.md` A: well-formed spots at 3.6–4.0, roundest below 3.8.
 const RATIO: f32 = 3.8;
-/// Distance of places × √(kₐ/√(DₐD_b)). Measured: see `facts.md` A (2.10 √5.7).
+/// Distance of spots × √(kₐ/√(DₐD_b)). Measured: see `facts.md` A (2.10 √5.7).
 const SPACING: f64 = 5.0;
 
 impl Kinetics<2> for TuringSpots {
@@ -178,7 +177,7 @@ impl Kinetics<3> for TuringSpotsWithDecayNoise {
     }
 }
 
-/// a and b with the β that differs by `noise` from cell to cell.
+/// a and b with a β that differs by `noise` from cell to cell.
 fn with_decay_noise(noise: &[f32], grid: RowLayout, mut planes: Vec<Plane>) -> Option<Box<dyn Chemicals>> {
     let beta: Vec<f32> = noise.iter().map(|off| BETA + off).collect();
     planes.push(Plane::from_cells(grid, &beta)?);
@@ -192,7 +191,7 @@ fn fill(chemicals: &mut [&mut [f32]], bells: &[f32], _: &[Parameters]) {
     }
 }
 
-/// Radius of an initial bell ÷ spacing: about that of the spot it becomes.
+/// Radius of an initial bell ÷ spacing: about that of the spot that grows from it.
 const RADIUS: f64 = 0.26;
 
 /// The concentration `a` scaled from the ground (0) to the centre of a spot (1): a runs from 3.0 to

@@ -90,8 +90,7 @@ mod x86 {
     use super::{Eight, Pairs, Sixteen};
     use std::arch::x86_64::*;
 
-    /// The pairs a, b, c, d and e, f, g, h in the order a, b, e, f and c, d, g, h: as two vectors of first and second numbers in the order
-    /// a … h.
+    /// Two vectors of first and second numbers, in the order a … h, from registers with the pairs a, b, e, f and c, d, g, h.
     #[inline(always)]
     unsafe fn parted_8(abef: __m256, cdgh: __m256) -> [Eight; 2] {
         // SAFETY: the processor supports these instructions.

@@ -1,4 +1,4 @@
-//! Every tiling and every instruction set against the plain solver.
+//! Comparison of every tiling and every instruction set with the plain solver.
 
 use super::super::coefficients::Coefficients;
 use super::super::diffusion::Diffusion;

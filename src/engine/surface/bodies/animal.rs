@@ -1,4 +1,4 @@
-//! A big cat that walks: chains of bars along its bones, joined with fillets.
+//! A big cat that walks: chains of bars along its bones, joined by fillets.
 
 use super::super::model::Model;
 use super::bars::{Bar, Chain, distance, joined};
@@ -55,7 +55,8 @@ fn middle() -> [Chain; 6] {
     ]
 }
 
-/// Points on one side, 1 or −1, of what is described on the side of z > 0. A foot is so far ahead of where the leg would be plumb.
+/// The points of a limb, which are given for the side z > 0, on the side `side` (1 or −1). The foot is `ahead` of its position in a
+/// vertical leg.
 fn chain<const N: usize>(fillet: f64, side: f64, ahead: f64, points: [[f64; 5]; N]) -> Chain {
     let placed =
         |[x, y, z, radius, flat]: [f64; 5]| [x + ahead * (1.0 - y / 0.6).max(0.0), y, z * side, radius, flat];

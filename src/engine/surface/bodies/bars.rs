@@ -1,4 +1,4 @@
-//! Bodies of round bars, as functions of the place that are negative inside.
+//! Bodies made of round bars, as implicit functions that are negative inside.
 
 use super::curve::curve;
 
@@ -15,7 +15,7 @@ pub struct Bar {
     radii: [f64; 2],
     flat: f64,
     middle: [f64; 3],
-    /// No point of it is farther from the middle.
+    /// Distance of the farthest point of the bar from its middle.
     reach: f64,
 }
 
@@ -29,7 +29,7 @@ impl Bar {
         Self { from, along, inverse, radii, flat, middle, reach }
     }
 
-    /// About the distance from its surface; negative inside.
+    /// Approximate distance from its surface; negative inside.
     pub fn distance(&self, place: [f64; 3]) -> f64 {
         let from: [f64; 3] = [0, 1, 2].map(|axis| place[axis] - self.from[axis]);
         let t = (dot(from, self.along) * self.inverse).clamp(0.0, 1.0);
@@ -41,7 +41,7 @@ impl Bar {
     /// Whether its distance may be less than this one.
     pub fn may_be_nearer(&self, place: [f64; 3], than: f64) -> bool {
         let off: [f64; 3] = [0, 1, 2].map(|axis| place[axis] - self.middle[axis]);
-        // The distance of a flat bar is less than the true one by no more than its flatness.
+        // The computed distance of a flat bar is smaller than the true one by at most its flatness.
         let limit = than.max(0.0) / self.flat.min(1.0) + self.reach;
         dot(off, off) < limit * limit
     }
@@ -53,7 +53,7 @@ pub struct Chain {
     bars: Vec<Bar>,
     low: [f64; 3],
     high: [f64; 3],
-    /// The width of the fillet at which it joins what stands before it.
+    /// The width of the fillet at the joint with the chains before it.
     fillet: f64,
 }
 
@@ -82,11 +82,11 @@ impl Chain {
         })
     }
 
-    /// Joined with a body that is so far away.
+    /// The distance of this chain joined with a body at the distance `body`.
     fn joined_with(&self, body: f64, place: [f64; 3]) -> f64 {
         let off =
             [0, 1, 2].map(|axis| (self.low[axis] - place[axis]).max(place[axis] - self.high[axis]).max(0.0));
-        // A flat bar's distance may be half the true one.
+        // A flat bar's computed distance may be half the true one.
         let far = 2.0 * (body + self.fillet).max(0.0);
         if dot(off, off) > far * far {
             body
@@ -96,15 +96,15 @@ impl Chain {
     }
 }
 
-/// About the distance from chains that are joined in this order; negative inside.
+/// Approximate distance from chains that are joined in this order; negative inside.
 pub fn distance(chains: &[Chain], place: [f64; 3]) -> f64 {
     chains.iter().fold(FAR, |body, chain| chain.joined_with(body, place))
 }
 
-/// Farther than anything.
+/// Larger than any distance.
 const FAR: f64 = 1e9;
 
-/// The union of two bodies with a fillet about this wide (Quílez's polynomial).
+/// The distance from the union of two bodies with a fillet of about this width (Quílez's polynomial).
 pub fn joined(a: f64, b: f64, fillet: f64) -> f64 {
     let near = (fillet - (a - b).abs()).max(0.0);
     a.min(b) - 0.25 * near * near / fillet

@@ -1,6 +1,6 @@
 //! Curves through points.
 
-/// A curve through the points (Catmull and Rom 1974), with so many steps between two of them.
+/// A curve through the points (Catmull and Rom 1974), with `steps` steps between two of them.
 pub fn curve<const N: usize>(points: &[[f64; N]], steps: usize) -> Vec<[f64; N]> {
     let last = points.len() - 1;
     let at = |part: usize, t: f64| {

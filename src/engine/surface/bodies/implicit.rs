@@ -1,5 +1,5 @@
-//! Implicit bodies: a function of the place that is negative inside → triangles, by surface nets (Gibson 1998)
-//! with a vertex for each sheet in a cell (Nielson 2004).
+//! Triangulation of implicit bodies (functions that are negative inside) by surface nets (Gibson 1998), with a vertex for each
+//! sheet in a cell (Nielson 2004).
 
 use rayon::prelude::*;
 
@@ -9,11 +9,11 @@ use super::bars::dot;
 use super::sheets::{Sheets, edge, edges};
 use crate::grid::UnionFind;
 
-/// Samples along the side of a block that is passed over whole where its middle is far from the surface.
+/// Samples along the side of a block that is skipped as a whole if its middle is far from the surface.
 const BLOCK: usize = 4;
 /// Rounds in which vertices are moved apart and back onto the surface.
 const ROUNDS: usize = 3;
-/// By how much of a cell the lattice is moved until no edge has more than two faces.
+/// Shifts of the lattice, in cells, that are tried until no edge has more than two faces.
 const SHIFTS: [f64; 4] = [0.0, 0.3, 0.6, 0.85];
 
 /// Values on a regular lattice.
@@ -37,7 +37,7 @@ impl Lattice {
                     let half = 0.5 * (BLOCK - 1) as f64 * cell;
                     let middle = place([x, y, z.start]).map(|at| at + half);
                     let far = field(middle);
-                    // The function may change half as fast again as the place.
+                    // The slope of the function may be up to 1.5.
                     let is_far = far.abs() > 1.5 * half * 3.0_f64.sqrt() + cell;
                     for k in z.clone() {
                         for j in y..(y + BLOCK).min(counts[1]) {
@@ -138,14 +138,14 @@ fn push_square(mesh: &mut Mesh, [a, b, c, d]: [u32; 4]) {
     mesh.faces.extend(triangles);
 }
 
-/// The triangles of the surface where a function is 0, outside being where it is positive. It should change about as fast
-/// as the place. The box `bounds` must contain the body; `cell` is about the length of the edges.
+/// The triangles of the surface where a function is 0; it is positive outside. Its slope should be about 1. The box `bounds` must
+/// contain the body; `cell` is the approximate length of the edges.
 fn mesh(field: &(impl Fn([f64; 3]) -> f64 + Sync), bounds: [[f64; 3]; 2], cell: f64) -> Mesh {
     let mut nets = SHIFTS.into_iter().map(|shift| {
         let shifted = [bounds[0].map(|low| low - shift * cell), bounds[1]];
         Lattice::sampled(field, shifted, cell).net()
     });
-    // Where two pairs of sheets meet in neighbouring cells, an edge has four faces: another lattice avoids it.
+    // If two pairs of sheets meet in neighbouring cells, an edge has four faces: a shifted lattice avoids it.
     let mut mesh = largest(&nets.find(is_manifold).unwrap_or_default());
     let mut neighbours: Vec<Vec<u32>> = vec![Vec::new(); mesh.positions.len()];
     for [a, b, c] in &mesh.faces {
@@ -171,9 +171,9 @@ fn mesh(field: &(impl Fn([f64; 3]) -> f64 + Sync), bounds: [[f64; 3]; 2], cell: 
     mesh
 }
 
-/// The largest connected part, without cavities and crumbs.
+/// The largest connected part, without cavities and fragments.
 fn largest(mesh: &Mesh) -> Mesh {
-    // By vertex: the least vertex that it is connected with.
+    // By vertex: the lowest vertex that it is connected with.
     let mut united = UnionFind::new(mesh.positions.len());
     for [a, b, c] in &mesh.faces {
         united.join(*a, *b, [0, 0]);
@@ -197,7 +197,7 @@ fn largest(mesh: &Mesh) -> Mesh {
     kept
 }
 
-/// Whether every edge has one face on either side at most.
+/// Whether every edge has at most one face on either side.
 fn is_manifold(mesh: &Mesh) -> bool {
     let edges = mesh.faces.iter().flat_map(|[a, b, c]| [[*a, *b], [*b, *c], [*c, *a]]);
     let mut edges: Vec<[u32; 2]> = edges.collect();

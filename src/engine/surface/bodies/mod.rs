@@ -18,7 +18,7 @@ use super::model::Model;
 pub const BODIES: [&str; 11] =
     ["sphere", "torus", "cylinder", "capsule", "cube", "animal", "spindle", "vase", "shell", "snake", "egg"];
 
-/// The built-in body of a name; `None` where there is none.
+/// The built-in body of a name; `None` if there is none.
 ///
 /// ```
 /// use dapple_engine::surface::{BODIES, built_in};

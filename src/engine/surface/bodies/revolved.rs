@@ -9,7 +9,7 @@ use super::rings::{surface, turn};
 /// Vertices around.
 const AROUND: usize = 96;
 
-/// The surface that a profile of [radius, height] describes around the y axis, from below to above on its outside. Ends at
+/// The surface of revolution of a profile of [radius, height] about the y axis; the profile runs upwards on its outside. Ends at
 /// radius 0 are poles.
 fn revolved(profile: &[[f64; 2]]) -> Model {
     let ring = |[radius, height]: &[f64; 2]| {
@@ -22,7 +22,7 @@ fn revolved(profile: &[[f64; 2]]) -> Model {
     surface(&profile.iter().map(ring).collect::<Vec<_>>(), false)
 }
 
-/// A profile for parameters from 0 to 1 in so many steps; its ends are poles.
+/// A profile for parameters from 0 to 1 in `steps` steps; its ends are poles.
 fn profile(steps: usize, at: impl Fn(f64) -> [f64; 2]) -> Vec<[f64; 2]> {
     let mut profile: Vec<[f64; 2]> = (0..=steps).map(|step| at(step as f64 / steps as f64)).collect();
     profile[0][0] = 0.0;
@@ -77,7 +77,7 @@ pub fn spindle() -> Model {
         let (sin, cos) = libm::sincos(PI * t);
         [0.42 * sin * (0.35 + 0.65 * sin) * (1.0 - 0.12 * cos), -cos]
     }));
-    // Up becomes forward.
+    // The y axis becomes the x axis.
     let positions = model.positions.iter().map(|[x, y, z]| [*y, -*x, *z]).collect();
     Model { positions, ..model }
 }

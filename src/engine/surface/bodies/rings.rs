@@ -2,7 +2,7 @@
 
 use super::super::model::{Corner, Face, Model, Part};
 
-/// A surface of rings that follow each other. A ring has as many vertices as all others, or one: a pole. Seen from outside the
+/// A surface of successive rings. All rings have equal numbers of vertices, except poles, which have one. Seen from outside the
 /// vertices of a ring run to the right if the next ring is above. Texture coordinates run once around and once along.
 pub fn surface(rings: &[Vec<[f64; 3]>], is_closed: bool) -> Model {
     let around = rings.iter().map(Vec::len).max().unwrap_or(0);

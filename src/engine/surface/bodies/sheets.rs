@@ -1,13 +1,13 @@
-//! The sheets of a surface in a cell of a lattice (Nielson 2004): where two pass through the same cell, they must not share a vertex.
+//! The sheets of a surface in a cell of a lattice (Nielson 2004): if two pass through one cell, they must not share a vertex.
 
 /// No sheet.
 const NONE: u8 = u8::MAX;
 
 /// The sheets of a surface in a cell.
 pub struct Sheets {
-    /// By edge: the number of the sheet that crosses it, if one does.
+    /// By edge: the number of the sheet that crosses it, or [`NONE`].
     pub of_edge: [u8; 12],
-    /// How many there are.
+    /// Number of sheets.
     pub count: u8,
 }
 
@@ -24,8 +24,9 @@ pub fn edges() -> impl Iterator<Item = (usize, usize)> {
 }
 
 impl Sheets {
-    /// For corners that are inside or not. Two edges are crossed by the same sheet if a line on a side of the cell joins them. Where
-    /// all four edges of a side are crossed, the lines go around the corners that are inside, in both cells that share the side.
+    /// The sheets of a cell whose corners are `inside` or not. Two edges are crossed by one sheet if a line on a side of the cell
+    /// joins them. If all four edges of a side are crossed, the lines go around the corners that are inside, in both cells that
+    /// share the side.
     pub fn new(inside: [bool; 8]) -> Self {
         let mut sheets = Self { of_edge: [NONE; 12], count: 0 };
         let is_crossed = |(axis, corner): (usize, usize)| inside[corner] != inside[corner | 1 << axis];
@@ -98,7 +99,7 @@ mod tests {
         );
         // Corners at opposite ends of the diagonal of a side, or of the cell.
         assert_eq!([count(&[0, 3]), count(&[0, 7]), count(&[0, 3, 5])], [2, 2, 3]);
-        // Two corners that are outside are cut off by one sheet if a side joins what is inside between them.
+        // Two corners outside are cut off by one sheet if the inside is connected between them on a side.
         assert_eq!([count(&[0, 3, 5, 6]), count(&[1, 2, 3, 4, 5, 6])], [4, 2]);
     }
 

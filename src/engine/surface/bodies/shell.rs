@@ -7,17 +7,17 @@ use super::super::model::Model;
 use super::bars::{Bar, dot, joined};
 use super::implicit::model;
 
-/// Whorls.
+/// Number of whorls.
 const TURNS: usize = 4;
-/// Bars a whorl.
+/// Number of bars per whorl.
 const STEPS: usize = 32;
-/// How much larger a whorl is than the one before it.
+/// Ratio of the size of a whorl to the one before it.
 const EXPANSION: f64 = 1.75;
-/// The fillet between whorls, as a share of the tube's radius, and at least so wide: the mesh must be able to show it.
+/// The fillet between whorls, as a share of the tube's radius, and its least width, which the mesh must be able to show.
 const FILLET: f64 = 0.25;
 const LEAST: f64 = 0.07;
 
-/// How round the edge of the opening is.
+/// Radius of the rounded edge of the opening.
 const EDGE: f64 = 0.06;
 
 /// The middle of the tube and its radius, `turns` whorls before the opening.
@@ -38,7 +38,7 @@ fn bar(from: f64, to: f64, share: f64) -> Bar {
 struct Tube {
     bars: Vec<Bar>,
     end: [f64; 3],
-    /// Out of the opening.
+    /// The direction out of the opening.
     outward: [f64; 3],
 }
 
@@ -56,7 +56,7 @@ impl Tube {
         Self { bars, end, outward: way.map(|value| value / length) }
     }
 
-    /// The nearest bar, other than the skipped ones, and about the distance from it.
+    /// The index of the nearest bar, without the skipped ones, and the approximate distance from it.
     fn nearest(&self, place: [f64; 3], skipped: &Range<usize>) -> (usize, f64) {
         let mut nearest = (0, 1e9);
         let bars = self.bars.iter().enumerate().filter(|(at, _)| !skipped.contains(at));
@@ -76,11 +76,11 @@ impl Tube {
         nearest
     }
 
-    /// About the distance from the whorls; negative inside. Bars join their neighbours without, other whorls with a fillet.
+    /// Approximate distance from the whorls; negative inside. Bars join their neighbours without a fillet, other whorls with one.
     fn distance(&self, place: [f64; 3]) -> f64 {
         let (at, distance) = self.nearest(place, &(0..0));
         let (other_at, other) = self.nearest(place, &(at.saturating_sub(STEPS / 2)..at + STEPS / 2));
-        // The same from either side: that of the smaller whorl.
+        // The fillet is computed from the smaller whorl, so that it is equal on both sides.
         let (_, radius) = tube(at.max(other_at) as f64 / STEPS as f64);
         joined(distance, other, (FILLET * radius).max(LEAST))
     }

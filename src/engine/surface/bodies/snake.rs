@@ -1,4 +1,4 @@
-//! A snake that lies in curves, its head raised a little.
+//! A snake that lies in curves, with its head slightly raised.
 
 use std::f64::consts::PI;
 
@@ -12,7 +12,7 @@ const AROUND: usize = 40;
 /// Half the thickness of its body.
 const THICK: f64 = 0.105;
 
-/// The middle line, 0 at the tail's tip, 1 at the snout.
+/// The centre line, 0 at the tip of the tail, 1 at the snout.
 fn line(t: f64) -> [f64; 3] {
     // The tail is less bent, the neck is straight, and its end is lifted.
     let bend = 0.42 * (0.35 + 0.65 * smooth_step(t / 0.35)) * (1.0 - 0.85 * smooth_step((t - 0.76) / 0.22));

@@ -1,4 +1,5 @@
-//! A first guess from fewer unknowns: vertices are gathered, with one direction for all of a group, carried into their frames.
+//! A first guess from fewer unknowns: vertices are aggregated into groups with one direction each, which is transported into their
+//! frames.
 //!
 //! The coarse equations are those of the same energy (Galerkin). Groups are those of P. Vaněk, J. Mandel, M. Brezina, "Algebraic multigrid
 //! by smoothed aggregation", Computing 56 (1996), not smoothed: only a guess is needed.
@@ -7,10 +8,10 @@ use std::collections::BTreeMap;
 
 use super::hermitian::{Complex, Hermitian, conjugate, plus, times, unit};
 
-/// Systems of so few unknowns are solved at once.
+/// Systems of at most this number of unknowns are solved directly.
 const FEW: usize = 1_000;
 
-/// The group of each row, and the direction of its value for a direction [1, 0] of the group.
+/// The group of each row, and its value for the direction [1, 0] of the group.
 struct Groups {
     group: Vec<u32>,
     carried: Vec<Complex>,
@@ -24,13 +25,13 @@ pub fn solve(matrix: &Hermitian) -> Vec<Complex> {
         vec![[0.0; 2]; rows]
     } else {
         let groups = gathered(matrix);
-        // Nothing is gathered where no row has a neighbour.
+        // Nothing is aggregated if no row has a neighbour.
         if groups.count < rows { groups.spread(&solve(&groups.coarse(matrix))) } else { vec![[0.0; 2]; rows] }
     };
     matrix.solve(guess)
 }
 
-/// Rows with all their neighbours are a group where none of them is in another; what is left joins a neighbour.
+/// A row and all its neighbours form a group if none of them is in another; the remaining rows join the group of a neighbour.
 fn gathered(matrix: &Hermitian) -> Groups {
     const NONE: u32 = u32::MAX;
     let rows = matrix.diagonal.len();
@@ -99,7 +100,7 @@ impl Groups {
         coarse
     }
 
-    /// The values of all rows of those of their groups.
+    /// The values of all rows, from those of their groups.
     fn spread(&self, values: &[Complex]) -> Vec<Complex> {
         self.group
             .iter()

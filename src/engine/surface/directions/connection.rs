@@ -6,10 +6,10 @@ use crate::surface::adjacency::{NONE, next, previous};
 use crate::surface::triangle_surface::Surface;
 use crate::surface::vector::{cross, dot, length, minus};
 
-/// Weights are not below this, so that all neighbours count.
+/// Least weight, so that all neighbours have an effect.
 const LEAST: f64 = 0.05;
 
-/// Twice the angle by which directions turn from the frame of the vertex that a half-edge leaves to that of its target.
+/// Twice the angle of the parallel transport from the frame of the vertex that a half-edge leaves to that of its target.
 pub fn doubled_turn(surface: &Surface, half: u32) -> f64 {
     2.0 * surface.tangents.transport(&surface.adjacency, half)
 }

@@ -17,16 +17,17 @@ pub fn plus([a, b]: Complex, [c, d]: Complex) -> Complex {
     [a + c, b + d]
 }
 
-/// A direction scaled to length 1; that of the first axis where it has none.
+/// A direction scaled to length 1; the first axis if it is 0.
 pub fn unit([a, b]: Complex) -> Complex {
     let length = (a * a + b * b).sqrt();
     if length > 0.0 { [a / length, b / length] } else { [1.0, 0.0] }
 }
 
-/// diagonal · z − Σ coupling · z of the others = right, in every row; the coupling from i to j is the conjugate of that from j to i.
+/// The equations diagonal · z − Σ coupling · z of the others = right, in every row; the coupling from i to j is the conjugate of
+/// that from j to i.
 #[derive(Clone, Debug, Default)]
 pub struct Hermitian {
-    /// Where the couplings of each row begin, and their number.
+    /// Start and number of the couplings of each row.
     pub starts: Vec<u32>,
     pub columns: Vec<u32>,
     pub couplings: Vec<Complex>,
@@ -36,9 +37,9 @@ pub struct Hermitian {
 
 /// Rows that one thread works on at a time. Not tuned.
 const PART: usize = 1 << 10;
-/// Of the right side so much may be left.
+/// Largest residual, as a share of the right side.
 const LEFT: f64 = 1e-7;
-/// More steps are not taken.
+/// Most steps.
 const STEPS: usize = 2_000;
 
 impl Hermitian {
@@ -49,7 +50,7 @@ impl Hermitian {
         columns.zip(self.couplings[range].iter().copied())
     }
 
-    /// Draws a row towards a value with a weight.
+    /// Adds a condition that holds a row at a value, with a weight.
     pub fn hold(&mut self, row: usize, to: Complex, weight: f64) {
         self.diagonal[row] += weight;
         self.right[row] = plus(self.right[row], to.map(|part| weight * part));
@@ -63,7 +64,7 @@ impl Hermitian {
         self.row(row).fold([0.0; 2], |sum, (column, coupling)| plus(sum, times(coupling, values[column])))
     }
 
-    /// Half of each value and half of the mean of its neighbours, as seen from its row.
+    /// Half of each value plus half of the mean of its neighbours, transported to its row.
     pub fn averages(&self, values: &[Complex]) -> Vec<Complex> {
         self.by_row(|row| {
             let total: f64 = self.row(row).map(|(_, [a, b])| (a * a + b * b).sqrt()).sum();

@@ -1,8 +1,8 @@
-//! Smooth directions over a surface through given ones.
+//! Smooth directions over a surface that follow given ones.
 //!
-//! A direction and its opposite are one: z = exp(2iθ). Of all fields the one is taken for which
-//! Σ w |zᵥ − rᵥᵤ zᵤ|² + Σ λ |zᵥ − gᵥ|² is least, where r carries a direction from one frame to the next: F. Knöppel et al., "Globally
-//! optimal direction fields", SIGGRAPH 2013, with the weights w of the connection Laplacian.
+//! A direction and its opposite are equivalent: z = exp(2iθ). The result is the field for which Σ w |zᵥ − rᵥᵤ zᵤ|² + Σ λ |zᵥ − gᵥ|²
+//! is least, where r transports a direction from one frame to the next: F. Knöppel et al., "Globally optimal direction fields",
+//! SIGGRAPH 2013, with the weights w of the connection Laplacian.
 
 mod coarse;
 mod connection;
@@ -20,21 +20,21 @@ pub use singularities::Singularity;
 pub struct Directions {
     /// In the frame of each vertex, 0..180.
     pub degrees: Vec<f64>,
-    /// By vertex, how far the directions about it agree: 1, falling to 0 at singularities.
+    /// By vertex, the agreement of the directions around it: 1, decreasing to 0 at singularities.
     pub coherence: Vec<f64>,
-    /// Where the directions turn round a point.
+    /// Points around which the directions rotate.
     pub singularities: Vec<Singularity>,
 }
 
-/// How much more a given direction counts than the difference of two neighbours.
+/// Weight of a given direction, relative to the difference of two neighbours.
 const HELD: f64 = 100.0;
-/// So little counts the first axis of the frames anywhere, so that parts without any given direction have one too.
+/// Weight of the first axis of the frames everywhere, so that parts without any given direction have one, too.
 const LEAST: f64 = 1e-6;
-/// Rounds of averages over neighbours, by which the coherence is seen: about 3 units far. Not tuned.
+/// Rounds of averages over neighbours in computing the coherence, which reach about 3 units. Not tuned.
 const ROUNDS: usize = 12;
 
-/// Directions that follow the `given` ones (place, degrees in the frame of its cell, weight, usually 1) and elsewhere the first axis of
-/// the frames, with the weight `along_weight` a cell: about 1 ÷ √`along_weight` units away from given ones they follow it.
+/// Directions that follow the `given` ones (place, degrees in the frame of its cell, weight, usually 1). Elsewhere they follow the
+/// first axis of the frames, with the weight `along_weight` per cell: from about 1 ÷ √`along_weight` units away from given ones.
 #[must_use]
 pub fn directions(surface: &Surface, given: &[(SurfacePoint, f64, f64)], along_weight: f64) -> Directions {
     let mut matrix = connection(surface);

@@ -1,4 +1,4 @@
-//! Where directions turn round a point.
+//! Points around which directions rotate.
 
 use std::f64::consts::{PI, TAU};
 
@@ -8,12 +8,13 @@ use crate::surface::adjacency::next;
 use crate::surface::point::SurfacePoint;
 use crate::surface::triangle_surface::Surface;
 
-/// A face around which directions turn.
+/// A face around which directions rotate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Singularity {
     /// The middle of the face.
     pub place: SurfacePoint,
-    /// Turns in one walk round it, in the sense of the walk: ½, −½ or more of them. On a closed surface they add up to V − E + F.
+    /// Number of rotations in one circuit around it, in the sense of the circuit: a multiple of ½. On a closed surface they add up
+    /// to V − E + F.
     pub index: f64,
 }
 
@@ -30,7 +31,7 @@ pub fn singularities(surface: &Surface, field: &[Complex]) -> Vec<Singularity> {
             turned += wrapped(angles[to] - angles[from] - turn);
             carried += turn;
         }
-        // Angles grow clockwise, and the corners follow each other counter-clockwise.
+        // Angles increase clockwise, and the corners are ordered counter-clockwise.
         let turns = -((turned + wrapped(carried)) / TAU).round();
         let place = SurfacePoint { face: face as u32, weights: [1.0 / 3.0; 2] };
         (turns != 0.0).then_some(Singularity { place, index: 0.5 * turns })

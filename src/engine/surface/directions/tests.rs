@@ -27,7 +27,7 @@ fn without_strokes_directions_run_along() {
 }
 
 #[test]
-fn given_directions_are_held_and_go_over_into_each_other() {
+fn given_directions_are_held_with_smooth_transitions() {
     let surface = Surface::new(even_plate([40.0, 10.0], 1.0), [1.0, 0.0, 0.0]);
     let rows = [1.0, 3.0, 5.0, 7.0, 9.0];
     let given: Vec<_> = rows
@@ -39,7 +39,7 @@ fn given_directions_are_held_and_go_over_into_each_other() {
     for (place, degrees, _) in &given {
         assert!(apart(found.degrees[surface.vertex_of(*place)], *degrees) < 2.0);
     }
-    // Between them the angle grows steadily, as of the argument of a line from one z to the other.
+    // Between them the angle changes steadily, like the argument along the line from one z to the other.
     for vertex in 0..surface.cells() {
         let x = surface.mesh.positions[vertex][0];
         let share = (x - 0.5) / 39.0;
@@ -138,7 +138,7 @@ fn more_unknowns_than_are_solved_at_once_give_the_same_field() {
 }
 
 #[test]
-fn nothing_that_is_given_breaks_it() {
+fn any_given_directions_give_a_finite_field() {
     let surface = Surface::new(sphere(3, 1.0), [0.0; 3]);
     let bad = [
         (surface.center(0), f64::NAN, 1.0),

@@ -1,14 +1,14 @@
-//! What can be wrong with a model: the file, the place, what was found, what is allowed, and what to do.
+//! Errors of models: the file, the place, what was found, what is allowed, and the remedy.
 
 use std::collections::BTreeSet;
 
 use thiserror::Error;
 
-/// How many characters of a wrong value a message shows.
+/// Most characters of a wrong value in a message.
 const SHOWN: usize = 40;
-/// How many characters of what a library says of a file a message shows: it may quote the file.
+/// Most characters of a library's message in a message: it may quote the file.
 const SAID: usize = 200;
-/// How many names of parts a message lists.
+/// Most names of parts in a message.
 const LISTED: usize = 20;
 
 /// A line of a file.
@@ -20,7 +20,7 @@ pub struct Place {
     pub line: usize,
 }
 
-/// Why a model cannot be used.
+/// The reason why a model cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum ModelError {
     /// A file of another format.
@@ -30,41 +30,41 @@ pub enum ModelError {
     OtherFormat {
         /// The file.
         file: String,
-        /// What it is.
+        /// The kind of the file.
         found: &'static str,
     },
-    /// A line that is not as the format wants it.
+    /// A line that does not follow the format.
     #[error("{}, line {}: found {found}; allowed: {allowed}; {remedy}", place.file, place.line)]
     Line {
-        /// Where.
+        /// The place.
         place: Place,
-        /// What was found.
+        /// The value that was found.
         found: String,
-        /// What is allowed.
+        /// The allowed values.
         allowed: String,
-        /// What to do.
+        /// The remedy.
         remedy: &'static str,
     },
-    /// A file that is not as its format wants it.
+    /// A file that does not follow its format.
     #[error("{file}: found {found}; allowed: {allowed}; {remedy}")]
     Broken {
         /// The file.
         file: String,
-        /// What was found, and where.
+        /// The value that was found, and its place.
         found: String,
-        /// What is allowed.
+        /// The allowed values.
         allowed: String,
-        /// What to do.
+        /// The remedy.
         remedy: &'static str,
     },
-    /// Nothing to grow on.
+    /// A file without triangles.
     #[error(
         "{file}: found {found}; allowed: at least one triangle or polygon; export the model with its faces"
     )]
     NoFaces {
         /// The file.
         file: String,
-        /// What there is instead.
+        /// The contents of the file.
         found: String,
     },
     /// A name that no part has.
@@ -76,7 +76,7 @@ pub enum ModelError {
         file: String,
         /// The name.
         name: String,
-        /// The names that there are.
+        /// The names of the parts.
         allowed: String,
     },
 }
@@ -93,12 +93,12 @@ impl ModelError {
     }
 }
 
-/// A value as a message shows it: its beginning, without characters that cannot be seen.
+/// A value in the form of a message: its beginning, without invisible characters.
 pub(super) fn quoted(word: &str) -> String {
     format!("'{}'", beginning(word, SHOWN))
 }
 
-/// What a library says of a file, as a message shows it: its beginning, in one line.
+/// A library's message in the form of a message: its beginning, in one line.
 pub(super) fn said(text: &str) -> String {
     beginning(&text.split_ascii_whitespace().collect::<Vec<_>>().join(" "), SAID)
 }

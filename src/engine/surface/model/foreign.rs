@@ -1,6 +1,6 @@
-//! Files of other formats, told by their first bytes.
+//! Files of other formats, recognised by their first bytes.
 
-/// First bytes, and what a file that begins with them is.
+/// First bytes, and the kind of file that begins with them.
 const BEGINNINGS: [(&[u8], &str); 17] = [
     (b"Kaydara FBX", "an FBX file"),
     (b"; FBX", "an FBX file"),
@@ -21,7 +21,7 @@ const BEGINNINGS: [(&[u8], &str); 17] = [
     (b"\xfe\xff", "text in UTF-16"),
 ];
 
-/// What a file is, if it is certainly not one of those that are read.
+/// The kind of a file, if it is certainly not one of those that are read.
 pub fn format(bytes: &[u8]) -> Option<&'static str> {
     let known = BEGINNINGS.iter().find(|(beginning, _)| bytes.starts_with(beginning));
     if let Some((_, name)) = known {

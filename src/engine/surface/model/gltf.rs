@@ -1,7 +1,8 @@
-//! glTF 2.0 (Khronos), as one binary file (GLB) or as JSON whose buffers are in it: all meshes of the scene, where its nodes put them.
+//! glTF 2.0 (Khronos), as one binary file (GLB) or as JSON with embedded buffers: all meshes of the scene, at the places of its
+//! nodes.
 //!
-//! A node is an object, by its name or its mesh's; skins and morphs are read as they rest. Textures of materials are not read: the pattern
-//! takes their place.
+//! A node becomes an object, named after the node or its mesh; skins and morph targets are read in their rest pose. Textures of
+//! materials are not read: the pattern replaces them.
 
 mod buffers;
 mod transform;
@@ -17,15 +18,15 @@ use super::{Corner, Face, Model, Part};
 use buffers::Buffers;
 use transform::Transform;
 
-/// Nodes within nodes are followed to this depth.
+/// Greatest depth of nested nodes.
 const DEEPEST: usize = 1_000;
-/// Most triangles of all nodes together: more than a GB of memory. Any number of nodes can show the same mesh.
+/// Most triangles of all nodes together: more than a GB of memory. Any number of nodes can show one mesh.
 const MOST: usize = 20_000_000;
 
 /// Reads a model from the bytes of a glTF or GLB file; `name` is the file's, for messages.
 ///
 /// # Errors
-/// A file that is not as the format wants it, compressed meshes, buffers in other files, a model without triangles.
+/// A file that does not follow the format, compressed meshes, buffers in other files, a model without triangles.
 pub fn read_gltf(bytes: &[u8], name: &str) -> Result<Model, ModelError> {
     let broken = |found: String, allowed: &str, remedy: &'static str| ModelError::Broken {
         file: name.to_owned(),
@@ -36,7 +37,7 @@ pub fn read_gltf(bytes: &[u8], name: &str) -> Result<Model, ModelError> {
     let read = understood(bytes).map_err(|found| {
         let remedy = "export the model as GLB, without compression of its meshes";
         broken(
-            format!("what is no glTF that is understood here ({found})"),
+            format!("a file that is no supported glTF ({found})"),
             "glTF 2.0 without extensions that are required",
             remedy,
         )
@@ -48,7 +49,7 @@ pub fn read_gltf(bytes: &[u8], name: &str) -> Result<Model, ModelError> {
     let is_read = vec![false; read.nodes().len()];
     let mut reader = Reader { model, buffers, parts: BTreeMap::new(), is_read, not_read: 0, moving: 0 };
     let scene = read.default_scene().or_else(|| read.scenes().next());
-    // Without a scene all nodes that have no parent count.
+    // Without a scene all nodes that have no parent are read.
     let roots: Vec<Node> = match scene {
         Some(scene) => scene.nodes().collect(),
         None => roots(&read),
@@ -65,14 +66,14 @@ pub fn read_gltf(bytes: &[u8], name: &str) -> Result<Model, ModelError> {
     reader.finish()
 }
 
-/// The file, checked.
+/// The parsed and checked file.
 ///
 /// # Errors
-/// What is wrong with it, in one line.
+/// The problem, in one line.
 fn understood(bytes: &[u8]) -> Result<Gltf, String> {
     let read = Gltf::from_slice_without_validation(bytes).map_err(|error| said(&error.to_string()))?;
     let root = read.document.as_json();
-    // The library looks accessors of positions up before it checks that they are there.
+    // The library looks up the accessors of positions before it checks that they exist.
     let mut attributes =
         root.meshes.iter().flat_map(|mesh| &mesh.primitives).flat_map(|one| one.attributes.values());
     if let Some(index) = attributes.find(|index| index.value() >= root.accessors.len()) {
@@ -81,7 +82,7 @@ fn understood(bytes: &[u8]) -> Result<Gltf, String> {
     let mut errors = Vec::new();
     root.validate(root, gltf::json::Path::new, &mut |path, error| {
         let path = path().to_string();
-        // Bounds of positions are required, but not needed here.
+        // Bounds of positions are required by the format, but not needed here.
         let is_bound = error == Error::Missing && path.contains("attributes");
         if !is_bound {
             errors.push(format!("{path}: {error}"));
@@ -107,9 +108,9 @@ struct Reader<'a> {
     parts: BTreeMap<Part, u32>,
     /// By node: whether it was read.
     is_read: Vec<bool>,
-    /// Primitives that are no triangles.
+    /// Number of primitives that are no triangles.
     not_read: usize,
-    /// Meshes with bones or morphs.
+    /// Number of meshes with bones or morph targets.
     moving: usize,
 }
 
@@ -122,13 +123,13 @@ impl Reader<'_> {
         if depth > DEEPEST {
             return Err(format!("nodes within nodes, {depth} deep"));
         }
-        // Without this a few nodes, each twice in the one above, would be millions.
+        // Without this check a few nodes, each used twice by the one above, would become millions.
         if std::mem::replace(&mut self.is_read[node.index()], true) {
             return Err(format!("node {} in two places", node.index()));
         }
         let here = above.then(&Transform::from(node.transform().matrix()));
         if let Some(mesh) = node.mesh() {
-            // A mesh with bones stands where they put it, not its node.
+            // A mesh with bones is placed by these, not by its node.
             let is_skinned = node.skin().is_some();
             self.moving += usize::from(is_skinned || mesh.weights().is_some());
             let place = if is_skinned { Transform::default() } else { here };
@@ -176,7 +177,7 @@ impl Reader<'_> {
         let starts = [model.positions.len(), model.uvs.len(), model.normals.len()].map(|start| start as u32);
         model.positions.extend(positions.iter().map(|at| place.point(*at)));
         model.normals.extend(normals.iter().flatten().map(|normal| place.normal(*normal)));
-        // From the upper left corner there, from the lower left one here.
+        // In glTF from the upper left corner, here from the lower left one.
         model.uvs.extend(uvs.iter().flatten().map(|[u, v]| [*u, 1.0 - v]));
         let corner = |index: u32| Corner {
             position: starts[0] + index,

@@ -1,4 +1,4 @@
-//! A model as its file has it: what is grown on, and what passes through unchanged.
+//! A model in the form of its file: the parts to grow on, and the parts that are passed through unchanged.
 
 mod error;
 mod foreign;
@@ -16,7 +16,7 @@ pub use reading::read_model;
 
 use super::mesh::Mesh;
 
-/// A corner of a triangle: indices of a position and, where the file has them, of a texture coordinate and a normal.
+/// A corner of a triangle: indices of a position and, if the file has them, of a texture coordinate and a normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Corner {
     /// Index in [`Model::positions`].
@@ -42,7 +42,7 @@ pub struct Face {
     pub part: u32,
 }
 
-/// What has the same names: faces of one object, of the same groups, with one material.
+/// Faces with equal names: of one object, of equal groups, with one material.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Part {
     /// The object that it belongs to (`o`).
@@ -69,26 +69,26 @@ impl Part {
 /// A model of triangles.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Model {
-    /// Where it comes from, for messages: the name of a file or of a built-in body.
+    /// Its origin, for messages: the name of a file or of a built-in body.
     pub name: String,
     /// Positions, in the file's own unit and axes.
     pub positions: Vec<[f64; 3]>,
     /// Texture coordinates, from the lower left corner.
     pub uvs: Vec<[f64; 2]>,
-    /// Normals as the file has them: not always of length 1.
+    /// Normals in the form of the file: not always of length 1.
     pub normals: Vec<[f64; 3]>,
     /// Triangles, in the order of the file.
     pub faces: Vec<Face>,
-    /// The parts of which the triangles are.
+    /// The parts that the triangles belong to.
     pub parts: Vec<Part>,
-    /// What was left out or understood otherwise, a sentence each.
+    /// Notes on data that were left out or interpreted, a sentence each.
     pub notes: Vec<String>,
 }
 
-/// Triangles whose vertices have one texture coordinate and one normal each, as files of models and graphics cards want them.
+/// Triangles whose vertices have one texture coordinate and one normal each, the form of files of models and of graphics cards.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Split {
-    /// The triangles. A vertex is given once for each texture coordinate and each normal that it has.
+    /// The triangles. A vertex is repeated for each combination of texture coordinate and normal that it has.
     pub mesh: Mesh,
     /// Texture coordinates by vertex; empty where a corner has none.
     pub uvs: Vec<[f64; 2]>,
@@ -97,8 +97,8 @@ pub struct Split {
 }
 
 impl Model {
-    /// The triangles on which something grows: those of the groups, objects and materials in `only`, or all if it is empty.
-    /// Vertices that only other triangles use are left out.
+    /// The triangles to grow on: those of the groups, objects and materials in `only`, or all if it is empty. Vertices that only
+    /// other triangles use are left out.
     ///
     /// # Errors
     /// A name that no part of the model has.
@@ -125,7 +125,7 @@ impl Model {
         Ok(mesh)
     }
 
-    /// The parts that pass through unchanged when something grows on `only`: those that [`Self::mesh`] leaves out.
+    /// The parts that are passed through unchanged if the pattern grows on `only`: those that [`Self::mesh`] leaves out.
     #[must_use]
     pub fn others(&self, only: &[String]) -> Vec<usize> {
         (0..self.parts.len()).filter(|part| !only.is_empty() && !self.parts[*part].is_of(only)).collect()
@@ -154,8 +154,8 @@ impl Model {
         split
     }
 
-    /// The least and the greatest coordinates of the triangles' corners; positions that are no numbers do not count, and
-    /// without any corner all are 0.
+    /// The least and the greatest coordinates of the triangles' corners; positions that are not finite are ignored, and without any
+    /// corner all are 0.
     #[must_use]
     pub fn bounds(&self) -> [[f64; 3]; 2] {
         let mut bounds = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];

@@ -1,7 +1,7 @@
 //! The OBJ format (Wavefront, version 3.0): positions, texture coordinates, normals, faces, groups, objects and materials.
 //!
-//! An own reader: those of the package registry neither say in which line an error is nor cut polygons that are not convex.
-//! Colours after positions are passed over; so are curves and free-form surfaces, with a note.
+//! A reader of our own: the existing crates neither give the line of an error nor cut polygons that are not convex. Colours after
+//! positions are skipped; curves and free-form surfaces are skipped with a note.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -10,7 +10,7 @@ use super::error::{ModelError, Place, quoted};
 use super::polygon::{MOST_CORNERS, triangulate};
 use super::{Corner, Face, Model, Part};
 
-/// Statements without a meaning for us: materials' files, smoothing, and how things are displayed.
+/// Statements that have no meaning here: files of materials, smoothing, and display options.
 const PASSED_OVER: [&str; 11] = [
     "mtllib",
     "s",
@@ -24,7 +24,7 @@ const PASSED_OVER: [&str; 11] = [
     "maplib",
     "usemap",
 ];
-/// What is not read, with a note.
+/// Statements that are not read, with a note.
 const NOT_READ: [&str; 19] = [
     "l", "p", "vp", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv",
     "sp", "end", "con", "call", "csh",
@@ -33,7 +33,7 @@ const NOT_READ: [&str; 19] = [
 /// Reads a model from the bytes of an OBJ file; `name` is the file's, for messages.
 ///
 /// # Errors
-/// A line that is not as OBJ wants it, an index of nothing, a model without faces.
+/// A line that does not follow the format, an index of nothing, a model without faces.
 pub fn read_obj(bytes: &[u8], name: &str) -> Result<Model, ModelError> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let mut reader =
@@ -54,7 +54,7 @@ pub fn read_obj(bytes: &[u8], name: &str) -> Result<Model, ModelError> {
     reader.finish()
 }
 
-/// The corners of a polygon as the file has them: indices from 1, or negative ones resolved to such; 0 = none.
+/// The corners of a polygon in the form of the file: indices from 1, with negative ones resolved; 0 = none.
 struct Polygon {
     line: usize,
     part: u32,
@@ -68,9 +68,9 @@ struct Reader {
     polygons: Vec<Polygon>,
     parts: BTreeMap<Part, u32>,
     now: Part,
-    /// How often each statement occurred that is not read.
+    /// Number of occurrences of each statement that is not read.
     not_read: BTreeMap<String, usize>,
-    /// Faces of fewer than three corners.
+    /// Number of faces of fewer than three corners.
     too_small: usize,
 }
 
@@ -87,7 +87,7 @@ impl Reader {
     }
 
     fn read(&mut self, line: &str) -> Result<(), ModelError> {
-        // A comment begins with a word: names of materials may contain the sign.
+        // A comment begins at the start of a word: names of materials may contain the sign.
         let mut words = line.split_ascii_whitespace().take_while(|word| !word.starts_with('#'));
         let Some(statement) = words.next() else { return Ok(()) };
         let words: Vec<&str> = words.collect();
@@ -102,12 +102,12 @@ impl Reader {
                 self.model.normals.push(normal);
             }
             "vt" => {
-                // The second one may be left out.
+                // The second coordinate may be left out.
                 let [u] = self.numbers(statement, &words)?;
                 let [v] = if words.len() > 1 { self.numbers(statement, &words[1..])? } else { [0.0] };
                 self.model.uvs.push([u, v]);
             }
-            // `fo` is the old word for it.
+            // `fo` is an obsolete name for it.
             "f" | "fo" => self.face(&words)?,
             "g" => self.now.groups = words.iter().map(|&word| word.to_owned()).collect(),
             "o" => self.now.object = name(),
@@ -174,7 +174,7 @@ impl Reader {
         let index = |(at, text): (usize, &str)| match text.parse::<i64>() {
             _ if text.is_empty() && at > 0 => Some(0),
             Ok(0) | Err(_) => None,
-            // Negative indices count back from what has been read so far.
+            // Negative indices count back from the data read so far.
             Ok(index) if index < 0 => {
                 counts.get(at).map(|count| count + 1 + index).filter(|index| *index > 0)
             }
@@ -202,7 +202,7 @@ impl Reader {
         self.error(line, found, allowed, "export the model again; the file may be cut off")
     }
 
-    /// Cuts the polygons, now that all positions are known: a file may have faces before their vertices.
+    /// Cuts the polygons after all positions are known: a file may have faces before their vertices.
     fn finish(mut self) -> Result<Model, ModelError> {
         for polygon in std::mem::take(&mut self.polygons) {
             let corners = polygon.corners.iter().map(|corner| self.resolved(*corner, polygon.line));
@@ -238,7 +238,7 @@ impl Reader {
             }
         }
         let index = |at: usize| u32::try_from(corner[at] - 1).ok();
-        // Not 0, which `corner` has refused.
+        // Not 0: `corner` has refused it.
         Ok(Corner { position: index(0).unwrap_or(0), uv: index(1), normal: index(2) })
     }
 

@@ -1,7 +1,7 @@
 //! The PLY format (Stanford, G. Turk 1994), as text or binary: vertices, polygons and triangle strips.
 //!
-//! Read are the positions, normals and texture coordinates of vertices, and those of the corners of faces (`texcoord`). What else a file
-//! has, such as colours, is passed over.
+//! It reads the positions, normals and texture coordinates of vertices, and the texture coordinates of the corners of faces
+//! (`texcoord`). Other data of a file, such as colours, are skipped.
 
 mod element;
 
@@ -13,13 +13,13 @@ use super::polygon::{MOST_CORNERS, triangulate};
 use super::{Corner, Face, Model, Part};
 use element::Element;
 
-/// What to do about a wrong file.
+/// The remedy for a wrong file.
 const REMEDY: &str = "export the model again; the file may be cut off";
 
 /// Reads a model from the bytes of a PLY file; `name` is the file's, for messages.
 ///
 /// # Errors
-/// A file that is not as the format wants it, an index of nothing, a model without faces.
+/// A file that does not follow the format, an index of nothing, a model without faces.
 pub fn read_ply(bytes: &[u8], name: &str) -> Result<Model, ModelError> {
     let broken = |found: String, allowed: &str| ModelError::Broken {
         file: name.to_owned(),
@@ -27,7 +27,7 @@ pub fn read_ply(bytes: &[u8], name: &str) -> Result<Model, ModelError> {
         allowed: allowed.to_owned(),
         remedy: REMEDY,
     };
-    // The first line of what the library says has the place; the others quote the file.
+    // The first line of the library's message has the place; the others quote the file.
     let unread = |error: std::io::Error| {
         let why = said(error.to_string().lines().next().unwrap_or_default());
         broken(format!("what is no PLY ({why})"), "a header and the elements that it names")
@@ -55,7 +55,7 @@ pub fn read_ply(bytes: &[u8], name: &str) -> Result<Model, ModelError> {
     Ok(reader.model)
 }
 
-/// Refuses elements that cannot be in so many bytes.
+/// Refuses elements that cannot fit into the remaining bytes.
 fn check(header: &Header, bytes: usize) -> Result<(), String> {
     let least = |definition: &ply_rs_bw::ply::ElementDef| match header.encoding {
         Encoding::Ascii => 1,
@@ -79,10 +79,10 @@ struct Reader {
 }
 
 impl Reader {
-    /// The model of what was read.
+    /// Reads the model.
     ///
     /// # Errors
-    /// What was found.
+    /// The problem.
     fn read(&mut self) -> Result<(), String> {
         let [has_normals, has_uvs] = {
             let first = self.vertices.first();
@@ -119,7 +119,7 @@ impl Reader {
             }
             let places: Vec<[f64; 3]> =
                 corners.iter().map(|corner| self.model.positions[corner.position as usize]).collect();
-            // Fewer corners are a line or a point.
+            // Fewer corners form a line or a point.
             if corners.len() >= 3 {
                 let triangles = triangulate(&places).into_iter();
                 let faces =
@@ -130,7 +130,7 @@ impl Reader {
         for strip in &self.strips {
             for piece in strip.indices.split(|index| *index < 0) {
                 for (at, &[a, b, c]) in piece.array_windows().enumerate() {
-                    // Each second triangle turns the other way round.
+                    // Every second triangle has the opposite orientation.
                     let [a, b] = if at % 2 == 0 { [a, b] } else { [b, a] };
                     let corners = [corner(a)?, corner(b)?, corner(c)?];
                     self.model.faces.push(Face { corners, part: 0 });

@@ -1,11 +1,11 @@
-//! Polygon → triangles, by ear clipping (Meisters 1975): also those that are not convex.
+//! Cuts polygons into triangles by ear clipping (Meisters 1975), including those that are not convex.
 
 /// The most corners of a face. Cutting one into triangles takes a time that grows with their square.
 pub const MOST_CORNERS: usize = 4096;
 
-/// The triangles of a polygon of at least three corners, as indices of its corners, in its own sense of turning: always two
-/// fewer than corners. A polygon that is not plane is projected along its mean normal; where it has no area or crosses itself,
-/// some triangles have no area or overlap.
+/// The triangles of a polygon of at least three corners, as indices of its corners, with its orientation: always two fewer than
+/// corners. A polygon that is not plane is projected along its mean normal; if it has no area or crosses itself, some triangles
+/// have no area or overlap.
 pub fn triangulate(corners: &[[f64; 3]]) -> Vec<[usize; 3]> {
     let mut left: Vec<usize> = (0..corners.len()).collect();
     let flat = projected(corners);
@@ -13,14 +13,14 @@ pub fn triangulate(corners: &[[f64; 3]]) -> Vec<[usize; 3]> {
     let mut at = shortest_diagonal(corners);
     while left.len() > 3 {
         let count = left.len();
-        // Where there is no ear, any corner is cut off: the polygon gets smaller in any case.
+        // If there is no ear, any corner is cut off: the polygon gets smaller in any case.
         let ear = (0..count)
             .map(|step| (at + step) % count)
             .find(|at| is_ear(&flat, &left, *at))
             .unwrap_or(at % count);
         triangles.push([left[(ear + count - 1) % count], left[ear], left[(ear + 1) % count]]);
         left.remove(ear);
-        // Not the next corner, which would make a fan of narrow triangles of a round polygon.
+        // Not the next corner, which would turn a round polygon into a fan of narrow triangles.
         at = (ear + 1) % left.len();
     }
     if let [a, b, c] = left[..] {
@@ -29,7 +29,7 @@ pub fn triangulate(corners: &[[f64; 3]]) -> Vec<[usize; 3]> {
     triangles
 }
 
-/// The corner between whose neighbours the distance is least: a square's other diagonal is longer.
+/// The corner whose neighbours are closest to each other: the other diagonal of a quad is longer.
 fn shortest_diagonal(corners: &[[f64; 3]]) -> usize {
     let count = corners.len();
     let length = |at: usize| {
@@ -39,7 +39,7 @@ fn shortest_diagonal(corners: &[[f64; 3]]) -> usize {
     (0..count).min_by(|a, b| length(*a).total_cmp(&length(*b))).unwrap_or(0)
 }
 
-/// The corners in a plane, turning counter-clockwise: projected along the axis nearest to the mean normal (Newell's).
+/// The corners in a plane, counter-clockwise: projected along the axis nearest to the mean normal (Newell's).
 fn projected(corners: &[[f64; 3]]) -> Vec<[f64; 2]> {
     let mut normal = [0.0; 3];
     for (a, b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
@@ -54,7 +54,7 @@ fn projected(corners: &[[f64; 3]]) -> Vec<[f64; 2]> {
     corners.iter().map(|corner| turned.map(|axis| corner[axis])).collect()
 }
 
-/// Twice the area of a triangle, positive where it turns counter-clockwise.
+/// Twice the area of a triangle, positive if it is counter-clockwise.
 fn area([a, b, c]: [[f64; 2]; 3]) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
@@ -66,7 +66,7 @@ fn is_ear(flat: &[[f64; 2]], left: &[usize], at: usize) -> bool {
         [left[(at + count - 1) % count], left[at], left[(at + 1) % count]].map(|corner| flat[corner]);
     let [a, b, c] = triangle;
     let inside = |point: [f64; 2]| {
-        // A corner at the same place as one of the three (of a polygon with a slit) does not count.
+        // A corner that coincides with one of the three (of a polygon with a slit) is ignored.
         !triangle.contains(&point)
             && area([a, b, point]) >= 0.0
             && area([b, c, point]) >= 0.0
@@ -79,7 +79,7 @@ fn is_ear(flat: &[[f64; 2]], left: &[usize], at: usize) -> bool {
 mod tests {
     use super::*;
 
-    /// The areas of the triangles, positive where they turn as the polygon is meant to: counter-clockwise seen from `+z`.
+    /// The areas of the triangles, positive if they have the intended orientation of the polygon: counter-clockwise seen from `+z`.
     fn areas(corners: &[[f64; 3]]) -> Vec<f64> {
         let flat = |at: usize| [corners[at][0], corners[at][1]];
         triangulate(corners).into_iter().map(|triangle| area(triangle.map(flat)) / 2.0).collect()

@@ -1,11 +1,11 @@
-//! A model from the bytes of a file, whose format is told by its first bytes.
+//! Reads a model from the bytes of a file, whose format is recognised by its first bytes.
 
 use super::{Model, ModelError, foreign, gltf, obj, ply, stl};
 
 /// Reads a model from the bytes of an OBJ, PLY, STL, glTF or GLB file; `name` is the file's, for messages.
 ///
 /// # Errors
-/// Another format, a file that is not as its format wants it, a model without faces: file, place, what was found, what is allowed.
+/// Another format, a file that does not follow its format, a model without faces: file, place, what was found, what is allowed.
 pub fn read_model(bytes: &[u8], name: &str) -> Result<Model, ModelError> {
     if bytes.starts_with(b"glTF") || bytes.trim_ascii_start().starts_with(b"{") {
         gltf::read_gltf(bytes, name)

@@ -1,7 +1,7 @@
 //! The STL format: triangles without shared vertices, as text or binary.
 //!
-//! An own reader: that of the package registry stops at the end of the first solid of a text, and does not say in which line an error
-//! is. Normals are not read, as they follow from the corners. Corners at the same place are one vertex.
+//! A reader of our own: the existing crate stops at the end of the first solid of a text, and does not give the line of an error.
+//! Normals are not read, as they follow from the corners. Corners at one place become one vertex.
 
 use std::collections::HashMap;
 
@@ -13,7 +13,7 @@ const HEADER: usize = 84;
 /// Bytes of a triangle: a normal, three corners, two of attributes.
 const TRIANGLE: usize = 50;
 
-/// Whether a file is an STL file: it begins with the word of the text format, or is as long as its number of triangles says.
+/// Whether a file is an STL file: it begins with the keyword of the text format, or its length agrees with its number of triangles.
 pub fn is_stl(bytes: &[u8]) -> bool {
     let first = bytes.trim_ascii_start().split(u8::is_ascii_whitespace).next();
     first.is_some_and(|word| word.eq_ignore_ascii_case(b"solid")) || is_binary(bytes)
@@ -28,7 +28,7 @@ fn is_binary(bytes: &[u8]) -> bool {
     wanted > 0 && longer.is_some_and(|longer| longer < TRIANGLE as u64) && !is_text(bytes)
 }
 
-/// Whether there is a facet in words; the text of a binary file may begin with the same word.
+/// Whether the file contains the text of a facet; the header of a binary file may begin with the keyword, too.
 fn is_text(bytes: &[u8]) -> bool {
     let beginning = &bytes[..bytes.len().min(4096)];
     !beginning.contains(&0) && beginning.windows(5).any(|word| word.eq_ignore_ascii_case(b"facet"))
@@ -37,7 +37,7 @@ fn is_text(bytes: &[u8]) -> bool {
 /// Reads a model from the bytes of an STL file; `name` is the file's, for messages.
 ///
 /// # Errors
-/// A line that is not as the format wants it, a file that is cut off, a model without triangles.
+/// A line that does not follow the format, a file that is cut off, a model without triangles.
 pub fn read_stl(bytes: &[u8], name: &str) -> Result<Model, ModelError> {
     let mut reader =
         Reader { model: Model { name: name.to_owned(), ..Model::default() }, ..Reader::default() };
@@ -141,7 +141,7 @@ impl Reader {
         }
         let part = self.model.parts.len() as u32 - 1;
         let corners = corners.map(|at| {
-            // Zeros of both signs are one place.
+            // Zeros of both signs are equal.
             let key = at.map(|value| (value + 0.0).to_bits());
             let next = self.model.positions.len() as u32;
             Corner::from(*self.vertices.entry(key).or_insert_with(|| {

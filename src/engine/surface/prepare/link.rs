@@ -1,4 +1,4 @@
-//! Which two faces go on in each other at an edge.
+//! Links between pairs of faces that continue each other at an edge.
 
 use super::Repairs;
 use crate::grid::UnionFind;
@@ -6,8 +6,8 @@ use crate::surface::adjacency::{NONE, next};
 use crate::surface::mesh::Mesh;
 use crate::surface::vector::{across, dot, minus, unit};
 
-/// By half-edge the one of the other face at its edge, or [`NONE`]; both may run the same way. Of more than two faces at an edge
-/// those are linked that go on in each other most evenly.
+/// By half-edge, the one of the other face at its edge, or [`NONE`]; both may have one direction. If more than two faces meet at an
+/// edge, those are linked that continue each other most smoothly.
 pub fn links(mesh: &Mesh, repairs: &mut Repairs) -> Vec<u32> {
     let ends = |half: u32| {
         let [a, b] = [half, next(half)].map(|half| mesh.faces[half as usize / 3][half as usize % 3]);
@@ -27,7 +27,7 @@ pub fn links(mesh: &Mesh, repairs: &mut Repairs) -> Vec<u32> {
     links
 }
 
-/// The pairs of half-edges of one edge: first those with windings that fit and the flattest angle between the faces.
+/// The pairs of half-edges of one edge: first those with compatible orientations and the flattest angle between the faces.
 fn pairs(mesh: &Mesh, halves: &[u32]) -> Vec<[u32; 2]> {
     if let [a, b] = halves {
         return vec![[*a, *b]];
@@ -53,7 +53,7 @@ fn from(mesh: &Mesh, half: u32) -> u32 {
     mesh.faces[half as usize / 3][half as usize % 3]
 }
 
-/// Cosine of the angle between two faces at their edge: −1 where they lie in a plane, 1 where they lie on each other.
+/// Cosine of the angle between two faces at their edge: −1 if they lie in a plane, 1 if they lie on each other.
 fn flatness(mesh: &Mesh, a: u32, b: u32) -> f64 {
     let corner = |half: u32| mesh.positions[from(mesh, half) as usize];
     let Some(edge) = unit(minus(corner(next(a)), corner(a))) else { return 1.0 };

@@ -1,4 +1,4 @@
-//! Any triangles → a manifold that points outwards: whatever is wrong with a mesh is mended, and counted.
+//! Converts any triangles to a manifold that points outwards: all defects of a mesh are repaired, and counted.
 
 mod link;
 mod orient;
@@ -9,7 +9,7 @@ use super::mesh::Mesh;
 use super::vector::{length, minus, times};
 pub use repairs::Repairs;
 
-/// Why nothing can grow on a mesh.
+/// The reason why nothing can grow on a mesh.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SurfaceError {
     /// There is no face.
@@ -21,23 +21,23 @@ pub enum SurfaceError {
          numbers; export the model again"
     )]
     NoArea {
-        /// How many there were.
+        /// Number of faces.
         faces: usize,
     },
 }
 
-/// Vertices nearer to each other than this share of the size of the mesh are one. Coordinates in files have 6 digits or more.
+/// Vertices closer to each other than this share of the size of the mesh are joined. Coordinates in files have at least 6 digits.
 const WELD: f64 = 1e-5;
 
-/// A face that is so many times as long as it is high, or more, has no area.
+/// Ratio of length to height from which on a face counts as having no area.
 const FLAT: f64 = 1e-7;
 
-/// The mesh as a manifold: its vertices welded; faces without area, faces that are there twice and vertices without faces
-/// dropped; cut open where more than two faces meet at an edge, where faces meet in a vertex only, and where no
-/// orientation fits; its windings counter-clockwise seen from outside. Positions are those of the mesh.
+/// The mesh as a manifold. Vertices are welded; faces without area, duplicate faces and vertices without faces are dropped. The
+/// mesh is cut open where more than two faces meet at an edge, where faces meet only in a vertex, and where no orientation fits.
+/// Faces are counter-clockwise seen from outside. Positions are those of the mesh.
 ///
 /// # Errors
-/// Where no face is left.
+/// No face is left.
 pub fn prepare(mesh: &Mesh) -> Result<(Mesh, Repairs), SurfaceError> {
     if mesh.faces.is_empty() {
         return Err(SurfaceError::Empty);
@@ -50,7 +50,7 @@ pub fn prepare(mesh: &Mesh) -> Result<(Mesh, Repairs), SurfaceError> {
     if !(size > 0.0 && size.is_finite()) {
         return Err(no_area);
     }
-    // At a size of 1 about the origin, so that no product of lengths is too large or too small for a number.
+    // Scaled to size 1 about the origin, so that no product of lengths overflows or underflows.
     let normal = |at: [f64; 3]| times(minus(at, low), 1.0 / size);
     let mut unit =
         Mesh { positions: mesh_of.positions.iter().map(|at| normal(*at)).collect(), faces: mesh_of.faces };
@@ -67,20 +67,20 @@ pub fn prepare(mesh: &Mesh) -> Result<(Mesh, Repairs), SurfaceError> {
     Ok((unit, repairs))
 }
 
-/// The mesh without faces that have a corner that is nowhere.
+/// The mesh without faces that have a corner that is not finite.
 fn finite(mesh: &Mesh, repairs: &mut Repairs) -> Mesh {
     let is_there = |vertex: &u32| {
         mesh.positions.get(*vertex as usize).is_some_and(|at| at.iter().all(|part| part.is_finite()))
     };
     let faces: Vec<[u32; 3]> = mesh.faces.iter().filter(|face| face.iter().all(is_there)).copied().collect();
     repairs.unreal = mesh.faces.len() - faces.len();
-    // What no face has does not matter.
+    // Vertices that no face uses do not matter.
     let positions =
         mesh.positions.iter().map(|at| if at.iter().all(|p| p.is_finite()) { *at } else { [0.0; 3] });
     Mesh { positions: positions.collect(), faces }
 }
 
-/// The bounds of the vertices that faces have.
+/// The bounds of the vertices that faces use.
 fn used_bounds(mesh: &Mesh) -> [[f64; 3]; 2] {
     let used = mesh.faces.iter().flatten().map(|vertex| mesh.positions[*vertex as usize]);
     Mesh { positions: used.collect(), faces: Vec::new() }.bounds()

@@ -1,12 +1,12 @@
-//! Windings that fit each other, with the outside outside.
+//! Compatible orientations of faces, pointing outwards.
 
 use super::Repairs;
 use crate::surface::adjacency::NONE;
 use crate::surface::mesh::{Mesh, area_vector};
 use crate::surface::vector::{cross, dot, length, minus};
 
-/// Turns faces over so that linked ones fit, each part so that it encloses a volume above 0; a part that is open keeps the windings
-/// of most of its area. Links where no orientation fits are cut. Returns the links, which are twins then.
+/// Reverses faces so that linked ones are compatible, and each part so that it encloses a positive volume; an open part keeps the
+/// orientation of most of its area. Links where no orientation fits are cut. Returns the links, which are twins then.
 pub fn orient(mesh: &mut Mesh, mut links: Vec<u32>, repairs: &mut Repairs) -> Vec<u32> {
     let from = |half: u32| mesh.faces[half as usize / 3][half as usize % 3];
     let mut turned: Vec<Option<bool>> = vec![None; mesh.faces.len()];
@@ -15,7 +15,7 @@ pub fn orient(mesh: &mut Mesh, mut links: Vec<u32>, repairs: &mut Repairs) -> Ve
             continue;
         }
         turned[first] = Some(false);
-        // In breadth, so that a one-sided strip is cut straight across.
+        // Breadth-first, so that a one-sided strip is cut straight across.
         let mut part = vec![first];
         let mut next = 0;
         while next < part.len() {
@@ -51,7 +51,7 @@ pub fn orient(mesh: &mut Mesh, mut links: Vec<u32>, repairs: &mut Repairs) -> Ve
     for (face, _) in mesh.faces.iter_mut().zip(&turned).filter(|(_, turned)| **turned) {
         face.swap(1, 2);
     }
-    // The half-edges of a face that is turned over follow each other the other way.
+    // The half-edges of a reversed face have the opposite order.
     let new = |half: usize| if turned[half / 3] { half / 3 * 3 + 2 - half % 3 } else { half };
     let mut twins = vec![NONE; links.len()];
     for (half, link) in links.iter().enumerate().filter(|(_, link)| **link != NONE) {
@@ -60,7 +60,7 @@ pub fn orient(mesh: &mut Mesh, mut links: Vec<u32>, repairs: &mut Repairs) -> Ve
     twins
 }
 
-/// Whether a part whose windings fit must be turned over as a whole.
+/// Whether a part with compatible orientations must be reversed as a whole.
 fn is_inside_out(mesh: &Mesh, part: &[usize], turned: &[Option<bool>], links: &[u32]) -> bool {
     let is_closed = part.iter().all(|face| links[3 * face..3 * face + 3].iter().all(|link| *link != NONE));
     let middle = mesh.positions[mesh.faces[part[0]][0] as usize];
@@ -71,6 +71,6 @@ fn is_inside_out(mesh: &Mesh, part: &[usize], turned: &[Option<bool>], links: &[
         volume += sign * dot(a, cross(b, c));
         kept += sign * length(area_vector([a, b, c]));
     }
-    // Flat on both sides: no volume tells them apart.
+    // A flat double-sided part has no volume that tells its sides apart.
     if is_closed && volume != 0.0 { volume < 0.0 } else { kept < 0.0 }
 }

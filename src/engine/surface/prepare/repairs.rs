@@ -1,28 +1,28 @@
-//! What was wrong with a mesh.
+//! Counts of the defects of a mesh.
 
-/// How many things of each kind were mended.
+/// Number of repairs of each kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Repairs {
-    /// Faces with corners that are no finite numbers or no vertices.
+    /// Faces with corners that are not finite or no vertices.
     pub unreal: usize,
-    /// Vertices that were joined with another at the same place.
+    /// Vertices that were joined with another one at the same place.
     pub welded: usize,
     /// Faces without area.
     pub flat: usize,
-    /// Faces with the same corners as another.
+    /// Faces with the same corners as another one.
     pub doubled: usize,
     /// Edges at which more than two faces met.
     pub crowded: usize,
-    /// Vertices at which faces met that share no edge there.
+    /// Vertices at which faces met without a common edge.
     pub pinched: usize,
-    /// Faces that were turned over.
+    /// Faces that were reversed.
     pub turned: usize,
     /// Edges along which a one-sided surface was cut.
     pub cut: usize,
 }
 
 impl Repairs {
-    /// What a user should know of them, in words. Vertices are welded in most models: files store them once a face.
+    /// Notes on them for the user, in words. Vertices are welded in most models: files store them once per face.
     #[must_use]
     pub fn notes(&self) -> Vec<String> {
         let parts = [

@@ -2,7 +2,7 @@ use super::*;
 use crate::surface::adjacency::{Adjacency, NONE};
 use crate::surface::test_meshes::{both, cube, cylinder, moebius, plate, scaled, shifted, soup, sphere};
 
-/// How many parts, borders' edges and V − E + F a manifold has.
+/// Number of parts, number of border edges, and V − E + F of a manifold.
 fn counts(mesh: &Mesh) -> (usize, usize, i64) {
     let adjacency = Adjacency::new(mesh.positions.len(), &mesh.faces);
     let fans: usize = (0..mesh.positions.len()).map(|vertex| adjacency.fan(vertex).count()).sum();
@@ -101,7 +101,7 @@ fn faces_that_meet_in_a_vertex_only_are_taken_apart() {
 #[test]
 fn a_moebius_strip_is_cut_across_once() {
     let (mesh, repairs) = prepared(&moebius([40, 4], 2.0, 1.0));
-    // What is left is a strip with two sides: one part, one border, as a disc.
+    // The rest is a strip with two sides: one part, one border, like a disc.
     assert_eq!((counts(&mesh).0, counts(&mesh).2), (1, 1));
     assert!((4..=9).contains(&repairs.cut), "{repairs:?}");
     assert_eq!(repairs.notes().len(), 2, "cut, and turned over");
@@ -133,7 +133,7 @@ fn faces_without_area_leave_no_crack() {
 }
 
 #[test]
-fn what_is_no_number_and_what_no_face_has_is_dropped() {
+fn positions_that_are_not_finite_and_unused_vertices_are_dropped() {
     let mut mesh = sphere(3, 1.0);
     let sound = mesh.clone();
     mesh.positions.extend([[f64::NAN, 0.0, 0.0], [0.0, f64::INFINITY, 0.0], [50.0; 3]]);

@@ -1,4 +1,4 @@
-//! Vertices at one place become one; faces that are then nothing go.
+//! Joins vertices at one place, and drops the faces that degenerate.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use crate::surface::vector::{distance, dot, minus};
 pub fn weld(mesh: &mut Mesh, near: f64, repairs: &mut Repairs) -> Vec<usize> {
     let mut is_used = vec![false; mesh.positions.len()];
     mesh.faces.iter().flatten().for_each(|vertex| is_used[*vertex as usize] = true);
-    // Those in boxes of twice the distance, and in the boxes beside these.
+    // Candidates are in boxes of twice the distance, and in the adjacent boxes.
     let cell = |at: [f64; 3]| at.map(|part| (part / (2.0 * near)).floor() as i64);
     let mut boxes: BTreeMap<[i64; 3], Vec<u32>> = BTreeMap::new();
     let mut kept: Vec<usize> = Vec::new();
@@ -42,7 +42,7 @@ pub fn weld(mesh: &mut Mesh, near: f64, repairs: &mut Repairs) -> Vec<usize> {
     kept
 }
 
-/// Drops faces two corners of which are one vertex, and all but the first with the same corners.
+/// Drops faces with two equal corners, and all but the first with the same corners.
 pub fn drop_doubled(mesh: &mut Mesh, repairs: &mut Repairs) {
     let before = mesh.faces.len();
     mesh.faces.retain(|[a, b, c]| a != b && b != c && c != a);
@@ -66,11 +66,11 @@ pub fn drop_doubled(mesh: &mut Mesh, repairs: &mut Repairs) {
     repairs.doubled += before - mesh.faces.len();
 }
 
-/// Rounds in which faces without area are taken out: each leaves fewer.
+/// Rounds of removing faces without area: each leaves fewer.
 const ROUNDS: usize = 16;
 
-/// Takes out faces whose corners lie in a line: the longest side, which leads past a corner, is flipped with the face beyond it, so
-/// that no crack is left. Where there is no such face, it is dropped.
+/// Removes faces whose corners lie in a line: the longest side, which passes a corner, is flipped with the face beyond it, so that
+/// no crack is left. If there is no such face, the face is dropped.
 pub fn drop_flat(mesh: &mut Mesh, flat: f64, repairs: &mut Repairs) {
     for round in 0..ROUNDS {
         let is_flat = |mesh: &Mesh, face: usize| {
@@ -113,7 +113,7 @@ fn longest_side(mesh: &Mesh, face: usize) -> u32 {
     (3 * face + longest) as u32
 }
 
-/// Joins the corners opposite to an edge instead of its ends.
+/// Replaces an edge by the one between the corners opposite to it.
 fn flip(mesh: &mut Mesh, half: u32, twin: u32) {
     let at = |half: u32| mesh.faces[half as usize / 3][half as usize % 3];
     let [a, b, c, d] = [half, next(half), previous(half), previous(twin)].map(at);

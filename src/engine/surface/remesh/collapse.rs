@@ -1,4 +1,4 @@
-//! The ends of short edges become one vertex.
+//! Joins the ends of short edges.
 
 use super::half_edges::{Freedom, HalfEdges};
 use super::{LONG, SHORT};
@@ -6,18 +6,18 @@ use crate::surface::adjacency::{NONE, next, previous};
 use crate::surface::mesh::area_vector;
 use crate::surface::vector::{Vector, distance, dot, length, middle};
 
-/// Shorter edges give up features and corners: they are too small for the triangles that are wanted.
+/// Features and corners are given up at edges shorter than this, in wanted lengths: they are too small for the wanted triangles.
 const TINY: f64 = 0.25;
-/// Ends of shorter edges are not moved to the middle, so that many of them do not leave the surface.
+/// Ends of edges shorter than this are not moved to the middle, so that many of them do not leave the surface.
 const FINE: f64 = 0.4;
-/// No face is turned farther by a collapse, as cosine.
+/// Largest rotation of a face by a collapse, as cosine.
 const TURNED: f64 = 0.2;
-/// Edges may be made longer by this factor if they are too long already.
+/// Factor by which edges may be lengthened if they are too long already.
 const LONGER: f64 = 1.05;
-/// A large mesh becomes a small one in some passes.
+/// Most passes: a large mesh becomes a small one in several passes.
 const PASSES: usize = 24;
 
-/// Collapses edges that are too short, as long as there are some that can be.
+/// Collapses edges that are too short, as long as some can be collapsed.
 pub fn collapse_short(mesh: &mut HalfEdges, wanted: &impl Fn(Vector) -> f64) {
     for _ in 0..PASSES {
         let mut is_done = true;
@@ -33,7 +33,7 @@ pub fn collapse_short(mesh: &mut HalfEdges, wanted: &impl Fn(Vector) -> f64) {
     }
 }
 
-/// Collapses an edge of this relative length, if the surface stays what it is. Returns whether it did.
+/// Collapses an edge of this relative length, if the surface is preserved. Returns whether it did.
 fn collapse(mesh: &mut HalfEdges, half: u32, length: f64, wanted: &impl Fn(Vector) -> f64) -> bool {
     let (from, to) = (mesh.origin(half), mesh.target(half));
     let [first, second] = [from, to].map(|vertex| mesh.freedom(vertex));
@@ -60,8 +60,8 @@ fn collapse(mesh: &mut HalfEdges, half: u32, length: f64, wanted: &impl Fn(Vecto
     true
 }
 
-/// The link condition: the ends have no neighbours in common but the corners opposite to the edge, and none of these would be
-/// left without an inside.
+/// The link condition: the ends have no common neighbours except the corners opposite to the edge, and none of these would be left
+/// without an inside.
 fn is_linked_simply(mesh: &HalfEdges, half: u32) -> bool {
     let (from, to, twin) = (mesh.origin(half), mesh.target(half), mesh.twins[half as usize]);
     if twin != NONE && mesh.is_on_border(from) && mesh.is_on_border(to) {
@@ -79,11 +79,11 @@ fn is_linked_simply(mesh: &HalfEdges, half: u32) -> bool {
     mesh.ring(from).filter(|vertex| is_beside(*vertex)).count() == count && sides.clone().all(is_apex_kept)
 }
 
-/// Whether the faces at the first of two vertices, but those with both, are neither turned nor stretched too far with it moved `at`
-/// a place.
+/// Whether the faces at the first of two vertices, except those with both, are neither rotated nor stretched too far if it is moved
+/// to the place `at`.
 fn keeps_shape(mesh: &HalfEdges, [vertex, other]: [u32; 2], at: Vector, wanted: f64) -> bool {
     let here = mesh.place(vertex);
-    // Slivers have any normal: turned a little by each of some collapses, they would lie upside down in the end.
+    // The normals of slivers are arbitrary: rotated a little by each of several collapses, they would finally lie upside down.
     let outside = mesh.normal(vertex);
     let is_free = mesh.freedom(vertex) == Freedom::Free;
     mesh.fan(vertex).all(|half| {
@@ -107,7 +107,7 @@ fn keeps_shape(mesh: &HalfEdges, [vertex, other]: [u32; 2], at: Vector, wanted: 
     })
 }
 
-/// Takes out an edge, its faces and the vertex that it leaves.
+/// Removes an edge, its faces and one of its vertices.
 fn merge(mesh: &mut HalfEdges, half: u32) {
     let (from, to, twin) = (mesh.origin(half), mesh.target(half), mesh.twins[half as usize]);
     let fan: Vec<u32> = mesh.fan(from).collect();
@@ -123,7 +123,7 @@ fn merge(mesh: &mut HalfEdges, half: u32) {
         mesh.join(outside[0], outside[1]);
         for outside in outside.into_iter().filter(|outside| *outside != NONE) {
             mesh.features[outside as usize] |= is_feature;
-            // One of these leaves the vertex that stays, the other the corner opposite to the edge.
+            // One of these leaves the remaining vertex, the other the corner opposite to the edge.
             starts.extend([outside, next(outside)]);
         }
         mesh.faces[side as usize / 3] = [NONE; 3];

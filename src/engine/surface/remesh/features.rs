@@ -1,4 +1,4 @@
-//! What must stay: borders, sharp edges and corners; and the surface that vertices are put back onto.
+//! Features that are preserved (borders, sharp edges and corners), and the surface onto which vertices are projected.
 
 use super::half_edges::{Freedom, HalfEdges};
 use crate::surface::adjacency::NONE;
@@ -6,23 +6,23 @@ use crate::surface::bounding_tree::BoundingTree;
 use crate::surface::mesh::Mesh;
 use crate::surface::vector::{Vector, dot, length, minus, unit};
 
-/// Faces that meet at an edge under more than this angle make it sharp, as cosine: 50°. An icosahedron has 42°, a cube 90°.
+/// An edge is sharp if the angle between the normals of its faces exceeds this, as cosine: 50°. An icosahedron has 42°, a cube 90°.
 const SHARP: f64 = 0.642_787_609_686_539_3;
-/// Features that turn by more than this angle in a vertex make it a corner, as cosine: 50°.
+/// A vertex is a corner if its features bend by more than this, as cosine: 50°.
 const CORNER: f64 = 0.642_787_609_686_539_3;
-/// Faces that are lower than this share of their longest side have no sure normal.
+/// Faces lower than this share of their longest side have no reliable normal.
 const SLIVER: f64 = 1e-4;
 
-/// The surface as it was.
+/// The original surface.
 pub struct Original {
     surface: BoundingTree,
-    /// Normals of its faces; 0 of those without area.
+    /// Normals of its faces; 0 for those without area.
     normals: Vec<Vector>,
     features: BoundingTree,
 }
 
 impl Original {
-    /// The surface of `mesh`, whose features are marked in `made`, which is the same mesh.
+    /// The surface of `mesh`; its features are marked in `made`, which is the same mesh.
     pub fn new(mesh: &Mesh, made: &mut HalfEdges) -> Self {
         let normals = (0..mesh.faces.len()).map(|face| unit(mesh.area_vector(face)).unwrap_or([0.0; 3]));
         let normals: Vec<Vector> = normals.collect();
@@ -41,7 +41,7 @@ impl Original {
         }
     }
 
-    /// The nearest place of the surface whose normal has less than a right angle to this one: not the other side of a thin sheet.
+    /// The nearest place of the surface whose normal is less than 90° from this one: not the other side of a thin sheet.
     pub fn on_surface(&self, at: Vector, normal: Vector) -> Vector {
         let is_fit = |face: u32| dot(self.normals[face as usize], normal) > 0.0;
         self.surface.nearest(at, is_fit).map_or(at, |found| found.at)

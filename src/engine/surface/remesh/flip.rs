@@ -1,20 +1,21 @@
-//! Edges that join the other two corners of their faces.
+//! Flips edges: they then join the other two corners of their faces.
 
 use super::half_edges::{Freedom, HalfEdges};
 use crate::surface::adjacency::{NONE, next, previous};
 use crate::surface::mesh::area_vector;
 use crate::surface::vector::{Vector, cross, dot, length, minus, plus};
 
-/// Faces that a flip makes meet under less than this angle, as cosine: 53°.
+/// Largest angle between faces after a flip, as cosine: 53°.
 const FLAT: f64 = 0.6;
-/// How far the cotangents of the angles opposite to an edge must be below 0: so that no edge is flipped to and fro.
+/// Least amount by which the sum of the cotangents opposite to an edge is below 0 for a flip, so that no edge is flipped back and
+/// forth.
 const CLEARLY: f64 = 1e-9;
-/// A flip towards an even valence makes no angle smaller than this, as cotangent: 20°.
+/// Least angle after a flip towards an even valence, as cotangent: 20°.
 const SLIM: f64 = 2.747_477_419_454_622;
-/// A mesh is Delaunay after some passes.
+/// Most passes until a mesh is Delaunay.
 const PASSES: usize = 10;
 
-/// Flips edges if the numbers of edges at the four corners come nearer to six, or to four on a border.
+/// Flips edges if the valences of the four corners come nearer to six, or to four on a border.
 pub fn towards_even_valence(mesh: &mut HalfEdges) {
     for half in 0..mesh.twins.len() as u32 {
         if let Some(corners) = corners(mesh, half)
@@ -26,9 +27,9 @@ pub fn towards_even_valence(mesh: &mut HalfEdges) {
     }
 }
 
-/// Flips edges whose opposite angles add up to more than half a turn: the least angle becomes larger.
+/// Flips edges whose opposite angles add up to more than 180°: the least angle increases.
 pub fn towards_larger_angles(mesh: &mut HalfEdges) {
-    // What an edge lies between changes only where one beside it is flipped.
+    // The quadrilateral of an edge changes only if an edge beside it is flipped.
     let mut has_changed = vec![true; mesh.twins.len()];
     for _ in 0..PASSES {
         let mut is_done = true;
@@ -60,7 +61,7 @@ fn corners(mesh: &HalfEdges, half: u32) -> Option<[u32; 4]> {
     may.then(|| [half, twin, previous(half), previous(twin)].map(|half| mesh.origin(half)))
 }
 
-/// By how much the squares of what is missing to the wanted numbers of edges become less.
+/// Decrease of the squared differences between the valences and the wanted ones.
 fn gain(mesh: &HalfEdges, corners: [u32; 4]) -> i64 {
     let of = |vertex: u32, more: i64| {
         let wanted = if mesh.is_on_border(vertex) { 4 } else { 6 };
@@ -81,8 +82,8 @@ fn is_wide(mesh: &HalfEdges, corners: [u32; 4]) -> bool {
     cotangent(c, a, b) + cotangent(d, a, b) < -CLEARLY
 }
 
-/// Whether a flip makes two faces that lie about where the two before did, with no angle smaller than that of a cotangent, where one is
-/// given.
+/// Whether a flip makes two faces that lie about where the old ones did, without angles below that of the cotangent `least`, if it
+/// is given.
 fn is_fit(mesh: &HalfEdges, corners: [u32; 4], least: Option<f64>) -> bool {
     let [a, b, c, d] = corners;
     let keeps = |vertex: u32| {
@@ -92,7 +93,7 @@ fn is_fit(mesh: &HalfEdges, corners: [u32; 4], least: Option<f64>) -> bool {
     if c == d || !keeps(a) || !keeps(b) || mesh.ring(c).any(|other| other == d) {
         return false;
     }
-    // Two ends of features that are not one would look like one.
+    // An edge between two ends of features that are not connected would look like a feature.
     let is_held = |vertex: u32| mesh.freedom(vertex) != Freedom::Free;
     if least.is_some() && is_held(c) && is_held(d) {
         return false;

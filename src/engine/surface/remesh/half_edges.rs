@@ -4,15 +4,15 @@ use crate::surface::adjacency::{Adjacency, NONE, next, previous};
 use crate::surface::mesh::{Mesh, area_vector};
 use crate::surface::vector::{Vector, distance, plus};
 
-/// Faces with their neighbourhood; half-edges are numbered as those of [`Adjacency`].
+/// Faces with their adjacency; half-edges are numbered as in [`Adjacency`].
 pub struct HalfEdges {
     pub positions: Vec<Vector>,
-    /// [`NONE`] three times where a face is gone.
+    /// [`NONE`] three times for a face that has been removed.
     pub faces: Vec<[u32; 3]>,
     pub twins: Vec<u32>,
-    /// By half-edge: whether it must stay where it is, as borders and sharp edges.
+    /// By half-edge: whether it must stay where it is, as borders and sharp edges must.
     pub features: Vec<bool>,
-    /// By vertex: a half-edge that leaves it, on a border the one without a twin; [`NONE`] where a vertex is gone.
+    /// By vertex: a half-edge that leaves it, on a border the one without a twin; [`NONE`] for a vertex that has been removed.
     pub first: Vec<u32>,
     /// By vertex: the wanted length of edges there.
     pub wanted: Vec<f64>,
@@ -20,7 +20,7 @@ pub struct HalfEdges {
     pub fixed: Vec<bool>,
 }
 
-/// How a vertex may move.
+/// Restrictions on the movement of a vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Freedom {
     /// Over the surface.
@@ -45,7 +45,7 @@ impl HalfEdges {
         }
     }
 
-    /// The mesh of what is left.
+    /// The mesh of the remaining faces and vertices.
     pub fn to_mesh(&self) -> Mesh {
         let mut new = vec![NONE; self.positions.len()];
         let mut mesh = Mesh::default();
@@ -87,12 +87,12 @@ impl HalfEdges {
         2.0 * self.length(half) / (wanted(self.origin(half)) + wanted(self.target(half)))
     }
 
-    /// Along the normal of a face, as long as twice its area.
+    /// A vector along the normal of a face; its length is twice the area.
     pub fn area_vector(&self, face: usize) -> Vector {
         area_vector(self.faces[face].map(|vertex| self.place(vertex)))
     }
 
-    /// The sum of the normals of the faces at a vertex, each as long as twice its area.
+    /// The sum of the normals of the faces at a vertex, each with a length of twice its area.
     pub fn normal(&self, vertex: u32) -> Vector {
         self.fan(vertex).fold([0.0; 3], |sum, half| plus(sum, self.area_vector(half as usize / 3)))
     }
@@ -102,7 +102,7 @@ impl HalfEdges {
         (0..self.twins.len() as u32).filter(|half| self.is_edge(*half))
     }
 
-    /// Whether a half-edge stands for its edge.
+    /// Whether a half-edge represents its edge.
     pub fn is_edge(&self, half: u32) -> bool {
         let twin = self.twins[half as usize];
         self.faces[half as usize / 3][0] != NONE && (twin == NONE || half < twin)
@@ -125,7 +125,7 @@ impl HalfEdges {
         })
     }
 
-    /// The vertices beside a vertex.
+    /// The vertices adjacent to a vertex.
     pub fn ring(&self, vertex: u32) -> impl Iterator<Item = u32> {
         let last = if self.is_on_border(vertex) { self.fan(vertex).last() } else { None };
         self.fan(vertex).map(|half| self.target(half)).chain(last.map(|half| self.origin(previous(half))))

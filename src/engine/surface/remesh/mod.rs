@@ -1,8 +1,8 @@
-//! Even triangles of wanted sizes on the same surface.
+//! Even triangles of wanted sizes on an unchanged surface.
 //!
-//! M. Botsch, L. Kobbelt, "A remeshing approach to multiresolution modeling", SGP 2004: long edges are split, short ones
-//! collapsed, edges flipped towards six at each vertex, vertices moved along the surface to the middle of their faces; a few
-//! times over. Borders and sharp edges stay where they are. This is done for edges twice as long; then each triangle becomes four.
+//! M. Botsch, L. Kobbelt, "A remeshing approach to multiresolution modeling", SGP 2004. Several times over, long edges are split,
+//! short ones collapsed, edges flipped towards valence six, and vertices moved along the surface to the centre of their faces.
+//! Borders and sharp edges stay where they are. This is done for edges twice as long; then each triangle is cut into four.
 
 mod collapse;
 mod features;
@@ -22,9 +22,9 @@ const LONG: f64 = 4.0 / 3.0;
 /// Shorter edges are collapsed, in wanted lengths.
 const SHORT: f64 = 4.0 / 5.0;
 
-/// The surface of a mesh that [`prepare`](super::prepare()) returned, with edges about as long as `edge` gives at a place: the mean area of a
-/// vertex's cell is √3 ÷ 2 of the square of it. In Morton order. Corners, borders and sharp edges are kept, unless they are
-/// much smaller than an edge.
+/// The surface of a mesh that [`prepare`](super::prepare()) returned, with edges about as long as `edge` gives at a place: the mean
+/// area of a vertex's cell is √3 ÷ 2 of the square of it. Vertices are in Morton order. Corners, borders and sharp edges are kept,
+/// unless they are much smaller than an edge.
 #[must_use]
 pub fn remesh(mesh: &Mesh, edge: &(impl Fn([f64; 3]) -> f64 + Sync)) -> Mesh {
     let mut remeshing = Remeshing::new(mesh, edge);

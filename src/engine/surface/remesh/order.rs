@@ -1,11 +1,12 @@
-//! Vertices and faces of a mesh that is changed in the order of a space-filling curve: each pass then finds neighbours in the cache.
+//! Puts vertices and faces of a mesh during remeshing in the order of a space-filling curve: each pass then finds neighbours in the
+//! cache.
 
 use super::half_edges::HalfEdges;
 use crate::surface::adjacency::NONE;
 use crate::surface::mesh::bounds;
 use crate::surface::morton::codes;
 
-/// A copy of a mesh in another order, without what is gone.
+/// A copy of a mesh in another order, without removed parts.
 #[must_use]
 pub fn ordered(mesh: &HalfEdges) -> HalfEdges {
     let codes = codes(&mesh.positions, bounds(&mesh.positions));
@@ -35,7 +36,7 @@ pub fn ordered(mesh: &HalfEdges) -> HalfEdges {
     }
 }
 
-/// Where each of `count` numbers stands in an order; [`NONE`] where it does not.
+/// The position of each of `count` numbers in an order; [`NONE`] for numbers that are not in it.
 fn places(order: &[u32], count: usize) -> Vec<u32> {
     let mut places = vec![NONE; count];
     order.iter().enumerate().for_each(|(place, number)| places[*number as usize] = place as u32);

@@ -1,4 +1,4 @@
-//! Vertices move along the surface to the middle of their faces.
+//! Moves vertices along the surface to the centre of their faces.
 
 use rayon::prelude::*;
 
@@ -8,7 +8,7 @@ use crate::surface::adjacency::{NONE, next, previous};
 use crate::surface::mesh::area_vector;
 use crate::surface::vector::{Vector, distance, dot, length, middle, minus, plus, times, unit};
 
-/// Vertices that are not worth handing to another thread. Not tuned.
+/// Number of vertices below which no other thread is used. Not tuned.
 const FEW: usize = 256;
 
 /// Moves all vertices at once.
@@ -21,7 +21,7 @@ pub fn relax(mesh: &mut HalfEdges, original: &Original, wanted: &(impl Fn(Vector
             let here = shared.place(vertex);
             let to =
                 if shared.first[vertex as usize] == NONE { None } else { moved(shared, vertex, original) };
-            // What lies farther than the next vertex is another part of the surface.
+            // Anything farther than the next vertex belongs to another part of the surface.
             let is_near = |to: &Vector| distance(here, *to) <= shared.wanted[vertex as usize];
             match to.filter(is_near).filter(|to| keeps_sides(shared, vertex, *to)) {
                 Some(to) => (to, wanted(to)),
@@ -32,7 +32,7 @@ pub fn relax(mesh: &mut HalfEdges, original: &Original, wanted: &(impl Fn(Vector
     (mesh.positions, mesh.wanted) = moved.into_iter().unzip();
 }
 
-/// Where a vertex goes; `None` where it stays.
+/// The new place of a vertex; `None` if it stays.
 fn moved(mesh: &HalfEdges, vertex: u32, original: &Original) -> Option<Vector> {
     let here = mesh.place(vertex);
     match mesh.freedom(vertex) {
@@ -40,7 +40,7 @@ fn moved(mesh: &HalfEdges, vertex: u32, original: &Original) -> Option<Vector> {
         Freedom::Along => {
             let mut ends = mesh.features_at(vertex).map(|end| mesh.place(end));
             let (a, b) = (ends.next()?, ends.next()?);
-            // Along the feature only, so that those that turn do not shrink.
+            // Along the feature only, so that curved features do not shrink.
             let along = unit(minus(b, a))?;
             let to = plus(here, times(along, dot(minus(middle(a, b), here), along)));
             Some(original.on_features(to))
@@ -54,7 +54,7 @@ fn moved(mesh: &HalfEdges, vertex: u32, original: &Original) -> Option<Vector> {
                 let corners = [here, mesh.place(a), mesh.place(b)];
                 let area = area_vector(corners);
                 normal = plus(normal, area);
-                // By how much too large it is.
+                // The weight is proportional to the area relative to the wanted one.
                 let length_of = length_here + of_a + of_b;
                 let weight = length(area) / (length_of * length_of);
                 sum = plus(sum, times(plus(plus(corners[0], corners[1]), corners[2]), weight / 3.0));
@@ -68,7 +68,7 @@ fn moved(mesh: &HalfEdges, vertex: u32, original: &Original) -> Option<Vector> {
     }
 }
 
-/// Whether no face at a vertex is turned over by moving it.
+/// Whether moving a vertex reverses none of its faces.
 fn keeps_sides(mesh: &HalfEdges, vertex: u32, to: Vector) -> bool {
     let here = mesh.place(vertex);
     mesh.fan(vertex).all(|half| {

@@ -1,4 +1,4 @@
-//! A remeshing as a value: begun, advanced round by round, completed or dropped.
+//! Remeshing as a value: it is begun, advanced round by round, and completed or dropped.
 
 use super::features::Original;
 use super::half_edges::HalfEdges;
@@ -6,37 +6,38 @@ use super::{collapse, flip, order, relax, split, subdivide};
 use crate::surface::mesh::Mesh;
 use crate::surface::morton;
 
-/// How many times longer edges are on the coarse mesh, which becomes even before each of its triangles is cut into four. Compared with rounds on the
-/// fine mesh this takes half of the time, and a twentieth of the vertices have not six neighbours instead of a fifth.
+/// Ratio of the edge lengths of the coarse and the fine mesh. The coarse mesh is made even, and then each of its triangles is cut
+/// into four. Compared with rounds on the fine mesh this takes half of the time, and a twentieth of the vertices do not have six
+/// neighbours instead of a fifth.
 const COARSER: f64 = 2.0;
-/// Rounds of splits, collapses, flips and moves on the coarse mesh. Tried: with 5 the least angle of 12,000 vertices is 3° less, with 12
-/// the same.
+/// Rounds of splits, collapses, flips and moves on the coarse mesh. With 5 the least angle of 12,000 vertices is 3° smaller, with
+/// 12 there is no difference.
 const ROUNDS: usize = 8;
 /// Rounds of flips towards larger angles and of moves on the fine mesh.
 const LAST_ROUNDS: usize = 3;
-/// Mean area of cells of the mesh that is made for a wanted length of 1, before the lengths are corrected for it, as a share of that of a
+/// Mean area of cells of the mesh made for a wanted length of 1, before the lengths are corrected for it, as a share of that of a
 /// regular triangulation with this edge. Measured on spheres, a torus and a cube.
 const AREA_SHARE: f64 = 1.03;
 /// Bounds of wanted lengths, in sizes of the mesh.
 const LENGTHS: [f64; 2] = [1e-4, 1.0];
 
-/// What a call of [`Remeshing::advance`] does next.
+/// The next work of [`Remeshing::advance`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Next {
     Collapse,
     Split,
-    /// Rounds on the coarse mesh that are left.
+    /// Remaining rounds on the coarse mesh.
     Rounds(usize),
     Subdivide,
-    /// Rounds on the fine mesh that are left.
+    /// Remaining rounds on the fine mesh.
     LastRounds(usize),
     Nothing,
 }
 
-/// A mesh whose edges become even.
+/// A mesh during its remeshing.
 pub struct Remeshing {
     made: HalfEdges,
-    /// The coarse mesh, when it is even.
+    /// The coarse mesh, once it is even.
     coarse: Mesh,
     original: Original,
     /// The size of the mesh.
@@ -54,8 +55,8 @@ impl Remeshing {
         Self { made, coarse: Mesh::default(), original, size, next: Next::Collapse }
     }
 
-    /// One round; `edge` gives the length that edges should have at a place, as it did in the beginning. Returns whether there is more
-    /// to do.
+    /// Does one round; `edge` gives the length that edges should have at a place, and must not have changed. Returns whether there
+    /// is more to do.
     pub fn advance(&mut self, edge: &(impl Fn([f64; 3]) -> f64 + Sync)) -> bool {
         let Self { made, coarse, original, size, next } = self;
         let [coarser, fine] = [COARSER, 1.0].map(|coarser| wanted(*size, coarser, edge));
@@ -101,7 +102,7 @@ impl Remeshing {
         *next != Next::Nothing
     }
 
-    /// The share of the rounds that is done, 0..1, by the time that they take.
+    /// The share of the rounds that is done, 0..1, weighted by their time.
     #[must_use]
     pub fn share(&self) -> f64 {
         let of = |left: usize, all: usize| (all - left) as f64 / all as f64;
@@ -114,7 +115,7 @@ impl Remeshing {
         }
     }
 
-    /// The mesh as it is, and before it one with edges twice as long, without faces until it is even.
+    /// The current mesh, and before it the one with edges twice as long, which has no faces until it is even.
     #[must_use]
     pub fn into_meshes(self) -> [Mesh; 2] {
         [&self.coarse, &self.made.to_mesh()].map(morton::ordered)

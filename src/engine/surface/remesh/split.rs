@@ -1,4 +1,4 @@
-//! Long edges are cut in two.
+//! Cuts long edges in two.
 
 use super::LONG;
 use super::half_edges::HalfEdges;

@@ -1,4 +1,4 @@
-//! Each triangle becomes four.
+//! Cuts each triangle into four.
 
 use super::half_edges::HalfEdges;
 use crate::surface::adjacency::{Adjacency, NONE, previous};

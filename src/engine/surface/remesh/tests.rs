@@ -18,7 +18,7 @@ fn least_angle(mesh: &Mesh) -> f64 {
     angles.fold(180.0, f64::min)
 }
 
-/// Edges on a border, and V − E + F; all fans are whole.
+/// Number of border edges, and V − E + F; all fans are complete.
 fn counts(mesh: &Mesh) -> (usize, i64) {
     let adjacency = Adjacency::new(mesh.positions.len(), &mesh.faces);
     let fans: usize = (0..mesh.positions.len()).map(|vertex| adjacency.fan(vertex).count()).sum();
@@ -98,7 +98,7 @@ fn open_borders_stay() {
 }
 
 #[test]
-fn lengths_follow_the_place() {
+fn edge_lengths_follow_the_place() {
     let mesh = sphere(40, 10.0);
     let made = remesh(&mesh, &|[x, _, _]| 0.5 + 0.05 * (x + 10.0));
     let [mut near, mut far] = [(0.0, 0); 2];
@@ -127,7 +127,7 @@ fn the_same_surface_gives_the_same_triangles_wherever_it_is_worked_on() {
 }
 
 #[test]
-fn bad_meshes_come_out_even() {
+fn bad_meshes_become_even() {
     let long_faces = |mesh: &Mesh| Mesh {
         positions: mesh.positions.iter().map(|[x, y, z]| [x * 1e2, *y, *z]).collect(),
         faces: mesh.faces.clone(),
@@ -160,7 +160,7 @@ fn bad_meshes_come_out_even() {
 #[test]
 fn the_smallest_meshes_stay_meshes() {
     let one = Mesh { positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], faces: vec![[0, 1, 2]] };
-    // The coarse mesh has two triangles at most, and each becomes four.
+    // The coarse mesh has at most two triangles, and each is cut into four.
     assert!(remesh(&one, &|_| 50.0).faces.len() <= 8);
     assert!(remesh(&one, &|_| 0.1).faces.len() > 50);
     assert!((remesh(&one, &|_| 0.1).area() - 0.5).abs() < 1e-12);

@@ -1,4 +1,4 @@
-//! Planar Voronoi cells of points on a surface, and the Laplacian that Turk takes from them.
+//! Planar Voronoi cells of points on a surface, and Turk's Laplacian from them.
 
 use rayon::prelude::*;
 
@@ -6,17 +6,17 @@ use super::near::Near;
 use super::relaxed::RelaxedPoints;
 use crate::surface::{Laplacian, Surface};
 
-/// Points farther away than this do not count for a cell, radii of repulsion.
+/// Distance beyond which points have no effect on a cell, in radii of repulsion.
 const REACH: f64 = 2.0;
-/// The sum of the coefficients of each point, as that of the four neighbours on a square grid.
+/// The sum of the coefficients of each point, equal to that of the four neighbours on a square grid.
 const SUM: f64 = 4.0;
 
-/// A corner of a cell, and the neighbour beyond the edge that begins there.
+/// A corner of a cell, and the neighbour across the edge that begins there.
 type Corner = ([f64; 2], Option<u32>);
 
-/// Turk's Laplacian: the coefficient of two neighbours is the length of the edge between their planar Voronoi cells, the
-/// coefficients of a point are normalised to the sum 1 and multiplied by four. Its lengths are in units of √(mean cell area), whatever
-/// the cells are: this is what makes patterns follow the density of the points.
+/// Turk's Laplacian: the coefficient of two neighbours is the length of the edge between their planar Voronoi cells; the
+/// coefficients of a point are normalised to the sum 1 and multiplied by four. Its lengths are in units of √(mean cell area),
+/// whatever the sizes of the cells: therefore patterns follow the density of the points.
 #[must_use]
 pub fn voronoi_laplacian(surface: &Surface, points: &RelaxedPoints) -> Laplacian {
     let near = Near::new(surface, &points.places);
@@ -38,8 +38,8 @@ pub fn voronoi_laplacian(surface: &Surface, points: &RelaxedPoints) -> Laplacian
     Laplacian { starts, columns, weights, mass: vec![1.0; rows.len()] }
 }
 
-/// The neighbours of a point at the origin with the lengths of the edges that its Voronoi cell shares with theirs; the cell goes no
-/// farther than `reach` along each axis.
+/// The neighbours of a point at the origin with the lengths of the edges that its Voronoi cell shares with theirs; the cell is cut
+/// off at `reach` along each axis.
 fn voronoi_edges(around: &[(usize, [f64; 2])], reach: f64) -> Vec<(u32, f64)> {
     let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
     let mut cell: Vec<Corner> = square.map(|corner| (corner.map(|part| reach * part), None)).to_vec();

@@ -1,4 +1,4 @@
-//! Points that repel each other on a surface, and their planar Voronoi cells: the mesh that Turk grows on.
+//! Points that repel each other on a surface, and their planar Voronoi cells: the mesh on which Turk's textures grow.
 //!
 //! G. Turk, "Generating textures on arbitrary surfaces using reaction-diffusion", SIGGRAPH 1991, the section on mesh generation and its
 //! figure 7. It is the reference that the cotangent [`Laplacian`](super::Laplacian) of a remeshed surface is compared with, for small

@@ -1,4 +1,4 @@
-//! Which points of a surface are near a place.
+//! Search for points of a surface near a place.
 
 use crate::grid::{Buckets, Domain};
 use crate::surface::{Surface, SurfacePoint};
@@ -20,11 +20,11 @@ impl<'a> Near<'a> {
         Self { surface, points, cells }
     }
 
-    /// The points within `reach` of point number `own`, each with the way to it in the plane that touches the surface there; lengths are
-    /// those of the surface. Nothing is reached through the body.
+    /// The points within `reach` of point number `own`, each with the displacement to it in the tangent plane there; lengths are
+    /// those of the surface. No point is reached through the body.
     pub fn around(&self, own: usize, reach: f64) -> Vec<(usize, [f64; 2])> {
         let place = self.points[own];
-        // The way to the place itself would be that to its image beyond a border.
+        // The displacement to the point itself would be that to its mirror image beyond a border.
         self.ways(place, reach).into_iter().filter(|(index, _)| self.points[*index] != place).collect()
     }
 

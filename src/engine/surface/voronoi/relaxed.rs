@@ -1,4 +1,4 @@
-//! Random points, and points that repel each other until they are evenly spread.
+//! Random points, and their relaxation by repulsion until they are evenly spread.
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -8,20 +8,20 @@ use super::near::Near;
 use crate::grid::Domain;
 use crate::surface::{Surface, SurfacePoint};
 
-/// The part of the sum of forces by which a point moves in an iteration, in radii of repulsion: Turk's k, "some small scaling value".
-/// Not tuned: larger ones make points jump over each other.
+/// The displacement of a point in an iteration as a share of the sum of forces, in radii of repulsion: Turk's k, "some small
+/// scaling value". Not tuned: with larger ones points jump over each other.
 const SCALE: f64 = 0.1;
 
 /// Points that are evenly spread over a surface.
 #[derive(Clone, Debug)]
 pub struct RelaxedPoints {
-    /// Where they are.
+    /// Their places.
     pub places: Vec<SurfacePoint>,
     /// The radius of repulsion r = 2 √(a/n), for the area a of the surface and n points; in lengths of the surface.
     pub radius: f64,
 }
 
-/// `number` random points, everywhere with the same probability by area.
+/// `number` random points, uniformly distributed by area.
 #[must_use]
 pub fn random_points(surface: &Surface, number: usize, seed: u64) -> Vec<SurfacePoint> {
     let mut sums = Vec::with_capacity(surface.cells());
@@ -58,7 +58,7 @@ impl RelaxedPoints {
     }
 }
 
-/// The sum of the forces of points around, each 1 at the place itself and falling linearly to 0 at the radius.
+/// The sum of the forces of points around, each 1 at the place itself and decreasing linearly to 0 at the radius.
 fn force(around: &[(usize, [f64; 2])], radius: f64) -> [f64; 2] {
     let mut sum = [0.0; 2];
     for (_, [x, y]) in around {

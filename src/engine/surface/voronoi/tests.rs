@@ -12,7 +12,8 @@ fn ball(points: usize) -> Surface {
     Surface::new(remesh(&mesh, &|_| edge), [0.0, 0.0, 1.0])
 }
 
-/// The distance of each point from its nearest, ÷ that of a hexagonal lattice: mean and coefficient of variation.
+/// The distance of each point from its nearest neighbour, relative to that in a hexagonal lattice: mean and coefficient of
+/// variation.
 fn nearest(surface: &Surface, points: &RelaxedPoints) -> [f64; 2] {
     let lattice = (surface.mesh.area() / points.places.len() as f64 * 2.0 / 3.0_f64.sqrt()).sqrt();
     let near = super::near::Near::new(surface, &points.places);
@@ -59,7 +60,7 @@ fn coefficients_sum_up_to_four_and_neighbours_know_each_other() {
             one_way += usize::from(back.binary_search(&(row as u32)).is_err());
         }
     }
-    // Each plane is another, so that short edges may be there in one of two only.
+    // The tangent planes differ, so that short edges may exist in only one of two.
     assert!((5.5..6.5).contains(&(f64::from(entries) / 400.0)), "{entries}");
     assert!(f64::from(one_way as u32) < 0.03 * f64::from(entries), "{one_way} of {entries}");
 }

@@ -1,10 +1,10 @@
-//! Values between points, as weighted sums of those around: a way to colour a surface straight from the points.
+//! Values between points, as weighted sums over the points around: a way to colour a surface directly from the points.
 
 use super::near::Near;
 use super::relaxed::RelaxedPoints;
 use crate::surface::{Surface, SurfacePoint};
 
-/// The radius s of the weights, radii of repulsion: s = 2r.
+/// The radius s of the weights, in radii of repulsion: s = 2r.
 const REACH: f64 = 2.0;
 
 /// Turk's weighted sums v′(P) = Σ v(Q) w(|P − Q|/s) ÷ Σ w(|P − Q|/s) over the points Q near P, with w(d) = 2d³ − 3d² + 1.
@@ -20,7 +20,7 @@ impl<'a> WeightedSum<'a> {
         Self { near: Near::new(surface, &points.places), points }
     }
 
-    /// The value at a place, from those at the points; `None` where no point is near.
+    /// The value at a place, from those at the points; `None` if no point is near.
     #[must_use]
     pub fn at(&self, place: SurfacePoint, values: &[f32]) -> Option<f32> {
         let reach = REACH * self.points.radius;
@@ -33,7 +33,7 @@ impl<'a> WeightedSum<'a> {
         (total > 0.0).then(|| (sum / total) as f32)
     }
 
-    /// The point nearest to a place, and how far it is; `None` where none is near.
+    /// The point nearest to a place, and its distance; `None` if none is near.
     #[must_use]
     pub fn nearest(&self, place: SurfacePoint) -> Option<(usize, f64)> {
         let around = self.near.distances(place, REACH * self.points.radius);

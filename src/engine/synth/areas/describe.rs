@@ -1,4 +1,4 @@
-//! What `check` says of a layer of patches or cells.
+//! The output of `check` for a layer of patches or cells.
 
 use std::fmt::Write;
 
@@ -9,7 +9,7 @@ use crate::document::AreaKind;
 use crate::synth::areas::plan::{AreaForm, AreaPlan};
 use crate::synth::kind::{Described, Request, in_words};
 
-/// What areas would grow, and what was asked of each region that has marks.
+/// A description of the areas that would grow, and of what was asked of each region that has marks.
 pub(super) fn described(plan: &AreaPlan, request: &Request, mut notes: Vec<String>) -> Described {
     notes.extend(plan.notes.iter().cloned());
     let layout = plan.map.layout();
@@ -33,7 +33,7 @@ pub(super) fn described(plan: &AreaPlan, request: &Request, mut notes: Vec<Strin
     Described::new(reach(plan, request.index), notes, json)
 }
 
-/// What areas would grow, and what was asked of each region that has marks.
+/// The areas that would grow, and what was asked of each region that has marks, as text.
 fn reach(plan: &AreaPlan, index: usize) -> String {
     let (layout, [nx, ny]) = (plan.map.layout(), plan.grid.size);
     let name = plan.kind().description().name;

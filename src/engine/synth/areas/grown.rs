@@ -1,39 +1,40 @@
-//! What has grown on layers of patches and cells.
+//! Grown layers of patches and cells.
 
 use crate::grid::Field;
 use crate::measure::{Spot, SpotErrors};
 use crate::synth::areas::plan::AreaPlan;
 use crate::synth::pattern::AreaPattern;
 
-/// How many cells have an area of their own.
+/// Number of laid cells that have an area of their own.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct OwnPolygons {
-    /// So many have.
+    /// Number of cells that have an area of their own.
     pub own: usize,
-    /// So many were laid.
+    /// Number of cells that were laid.
     pub laid: usize,
 }
 
 /// Grown patches or cells.
 #[derive(Clone)]
 pub struct GrownAreas {
-    /// How they were planned.
+    /// The plan from which they grew.
     pub plan: AreaPlan,
     /// 0..1, areas above ½, on the grid.
     pub field: Field,
-    /// How many that were laid on the canvas have less than nine tenths of their area.
+    /// Number of areas laid on the canvas that got less than nine tenths of their area.
     pub cramped: usize,
-    /// Steps taken; none by patches.
+    /// Steps taken; none for patches.
     pub steps: u64,
-    /// Mean width of the lines between cells, px; `None` of patches.
+    /// Mean width of the lines between cells, px; `None` for patches.
     pub gap: Option<f64>,
-    /// How many of the laid cells have an area of their own; `None` of patches.
+    /// Number of laid cells that have an area of their own; `None` for patches.
     pub own_polygons: Option<OwnPolygons>,
-    /// All of them, cut ones too.
+    /// All grown areas, also those cut by the border.
     pub spots: Vec<Spot>,
     /// Errors by region.
     pub errors: Vec<SpotErrors>,
-    /// The mean raggedness that was asked for at the whole ones of each region, and their own; `None` without any.
+    /// By region: the mean raggedness that was asked for at its whole areas, and their actual mean; `None` for a region without
+    /// any.
     pub raggedness: Vec<Option<[f64; 2]>>,
 }
 

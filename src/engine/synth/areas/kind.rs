@@ -26,21 +26,21 @@ use crate::synth::watch::Stage;
 #[derive(Debug)]
 pub struct Areas;
 
-/// Bytes a cell of patches, beside their points: field and spline. A Holstein on 2436² cells took 165 MB in all and a giraffe on 2180² 252,
-/// for which 304 and 272 are allowed.
+/// Memory per cell for patches, besides their points, bytes: field and spline. A Holstein on 2436² cells took 165 MB in all, and a
+/// giraffe on 2180² cells 252 MB; 304 and 272 MB are reserved for them.
 const PATCH: f64 = 30.0;
-/// Bytes a cell of the grid of cells: the pair, whose size may vary, its fields, and the distances from borders.
+/// Memory per cell of the grid of cells, bytes: the pair, whose size may vary, its fields, and the distances from borders.
 const CELL: f64 = 150.0;
-/// Seconds a cell of the grid of patches on one core: with those of their points, the two documents of [`PATCH`] took 7.4 and 13.9 s. The
-/// points are all laid before the first is seen, so that no beginning can be timed.
+/// Time per cell of the grid of patches on one core, s: including their points, the two documents of [`PATCH`] took 7.4 and 13.9 s.
+/// All points are laid before the first one is shown, so that no beginning of the growth can be timed.
 const PATCH_SECONDS: f64 = 2.5e-6;
-/// Seconds of each point of patches on one core.
+/// Time per point of patches on one core, s.
 const PATCH_POINT_SECONDS: f64 = 4e-5;
-/// Seconds in which two centres are compared.
+/// Time of one comparison of two centres, s.
 const COMPARED_SECONDS: f64 = 8e-9;
-/// Seconds of each side of a kept outline whose distance from a cell is asked for.
+/// Time to compute the distance of a cell from one side of a kept outline, s.
 const SIDE_SECONDS: f64 = 3e-9;
-/// Seconds a cell of the grid of cells, beside its reaction.
+/// Time per cell of the grid of cells, besides its reaction, s.
 const CELL_SECONDS: f64 = 3e-6;
 
 /// A layer of patches or cells that grows.
@@ -141,7 +141,7 @@ impl Kind for Areas {
         }
     }
 
-    /// Cells are seen at equal times of their own.
+    /// Cells are shown at fixed intervals of their own time, whatever `_time` is.
     fn updates_in(growth: &AreasGrowth, _time: f64) -> u64 {
         match growth {
             AreasGrowth::Patches(_) => 1,

@@ -1,4 +1,4 @@
-//! Grown areas → what is measured on them.
+//! Measurement of grown areas.
 
 use crate::attributes::Attributes;
 use crate::grid::Field;
@@ -6,12 +6,12 @@ use crate::measure::{Regions, Spot, Target, spot_errors, spot_raggedness_at, spo
 use crate::synth::areas::grown::GrownAreas;
 use crate::synth::areas::plan::AreaPlan;
 
-/// An area of less than this share of what is wanted at its place is a speck: one patch in two hundred found no room for more.
+/// An area smaller than this share of the wanted area at its place is a speck: one patch in two hundred found room for no more.
 const SPECK: f64 = 0.1;
-/// The level of the edge.
+/// The threshold of the edge.
 pub(super) const EDGE: f32 = 0.5;
 
-/// Areas that have grown as `field`, with what is measured on them.
+/// The areas that have grown as `field`, with their measurements.
 pub(super) fn measured(plan: AreaPlan, field: Field) -> GrownAreas {
     let layout = *plan.map.layout();
     let least = plan.map.samples().iter().map(area).fold(f64::INFINITY, f64::min);

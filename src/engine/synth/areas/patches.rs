@@ -17,9 +17,9 @@ pub struct PatchesGrowth {
     plan: AreaPlan,
     detail: f64,
     kept: Vec<Outline>,
-    /// The cells in which no patch may be; empty = none.
+    /// The cells that no patch may cover; empty = none.
     blocked: Vec<bool>,
-    /// Moments in which points appear.
+    /// Number of moments of a film in which points appear.
     stages: usize,
     growth: Option<PatchGrowth>,
     grown: Option<GrownAreas>,
@@ -67,7 +67,7 @@ impl PatchesGrowth {
         Ok(Advanced { updates: cells as u64, seen: true, done: true })
     }
 
-    /// What has grown, measured.
+    /// The grown patches with their measurements.
     fn checked(&self, grown: GrownPatches) -> Result<GrownAreas, LayerError> {
         if grown.centers.is_empty() && self.kept.is_empty() {
             return Err(LayerError::NoRoom);
@@ -86,13 +86,13 @@ impl PatchesGrowth {
         Ok(GrownAreas { cramped: grown.cramped, ..measured })
     }
 
-    /// What is being done, and the share of it that is done.
+    /// The current stage, and the finished share of it.
     #[must_use]
     pub fn progress(&self) -> (Stage, f64) {
         if self.grown.is_some() { (Stage::Refine, 1.0) } else { (Stage::Grow, 0.0) }
     }
 
-    /// The number of what there is, 1 = the first, and its field; `None` where nothing is to be seen.
+    /// The number of the current field (1 = the first) and the field itself; `None` while there is nothing to show.
     #[must_use]
     pub fn now(&self) -> Option<(u64, &Field)> {
         if let Some(grown) = &self.grown {
@@ -102,7 +102,7 @@ impl PatchesGrowth {
         Some((stage as u64, field))
     }
 
-    /// What has grown.
+    /// The grown areas; `None` before the end.
     #[must_use]
     pub fn complete(self) -> Option<GrownAreas> {
         self.grown

@@ -1,4 +1,4 @@
-//! What was asked of patches and cells, and what grew.
+//! The report of patches and cells: what was asked for, and what grew.
 
 use crate::attributes::{Attribute, Attributes, Polarity};
 use crate::document::AreaKind;
@@ -13,20 +13,20 @@ use crate::synth::report::drawn::{self, DrawnMark, attributes_of};
 use crate::synth::report::pinned;
 use crate::synth::report::{RaggednessReport, RegionReport, WidthReport};
 
-/// A drawn mark is there where what it shares with what grew is so much of both together: .93–.97 of ragged outlines among other
-/// patches, less where they run into each other.
+/// A drawn mark counts as grown if it overlaps with the grown area by at least this intersection ÷ union. Among other patches
+/// ragged outlines reach 0.93–0.97, less if they overlap each other.
 const THERE: f64 = 0.85;
-/// What grew is the drawn mark alone where the logarithms of the areas differ by less.
+/// A grown area is the drawn mark alone if the logarithms of the areas differ by less than this.
 const OWN: f64 = 0.4;
-/// How far from a drawn mark what grew counts as its own, √area of the mark.
+/// Distance from a drawn mark, in √area of the mark, up to which the grown pattern counts as its own.
 const BESIDE: f64 = 0.2;
 
-/// The report of each region of grown areas, row by row; `drawn` is what became of the drawn marks.
+/// The report of each region of grown areas, row by row; `drawn` tells how each drawn mark has grown.
 #[must_use]
 pub fn area_regions(layer: &GrownAreas, drawn: &[DrawnMark]) -> Vec<RegionReport> {
     let plan = &layer.plan;
     let layout = plan.map.layout();
-    // Those that are not there count as lost, however near they are.
+    // Marks that have not grown count as lost, even if an area is near.
     let counted = drawn.iter().map(|mark| DrawnMark { off: mark.off.filter(|_| mark.there), ..mark.clone() });
     let stayed = pinned::stayed(&plan.map, &counted.collect::<Vec<_>>(), false);
     let by_region = drawn::by_region(drawn, layout);
@@ -74,7 +74,7 @@ pub fn area_regions(layer: &GrownAreas, drawn: &[DrawnMark]) -> Vec<RegionReport
     (0..layout.len()).map(region).collect()
 }
 
-/// The lines between cells; `None` of patches.
+/// The report on the lines between cells; `None` for patches.
 #[must_use]
 pub fn gap(layer: &GrownAreas) -> Option<WidthReport> {
     match &layer.plan.form {
@@ -96,7 +96,7 @@ fn parameters(plan: &AreaPlan, asked: &Wanted) -> Vec<(&'static str, f64)> {
     parameters
 }
 
-/// What the user should know of the whole layer.
+/// Notes for the user on the whole layer.
 fn layer_notes(layer: &GrownAreas) -> Vec<String> {
     let mut notes = layer.plan.notes.clone();
     if layer.cramped > 0 {
@@ -114,7 +114,7 @@ fn layer_notes(layer: &GrownAreas) -> Vec<String> {
     notes
 }
 
-/// What became of each drawn mark of grown areas, in the order in which they were drawn.
+/// For each drawn mark of grown areas, in the order of drawing, how it has grown.
 #[must_use]
 pub fn drawn_areas(layer: &GrownAreas) -> Vec<DrawnMark> {
     let plan = &layer.plan;
@@ -156,11 +156,11 @@ pub fn drawn_areas(layer: &GrownAreas) -> Vec<DrawnMark> {
     plan.kept.iter().map(mark).collect()
 }
 
-/// Overlap ÷ union of a drawn outline and what grew on and beside it, of what is not on marks of the layers beneath; `None` where
-/// nothing of the outline can be seen.
+/// Intersection ÷ union of a drawn outline and the areas that grew on and beside it, without the parts on marks of the layers
+/// beneath; `None` if nothing of the outline is visible.
 fn shared(outline: &Outline, extent: &Extent, layer: &GrownAreas) -> Option<f64> {
     let Field { values, .. } = &layer.field;
-    // Beyond the line around a cell others lie.
+    // Beyond the line around a cell lie other cells.
     let margin = match &layer.plan.form {
         AreaForm::Patches(_) => BESIDE * outline.area().sqrt(),
         AreaForm::Polygons(form) => 0.5 * form.gap,

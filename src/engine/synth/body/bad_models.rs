@@ -211,7 +211,9 @@ fn models_as_people_have_them_grow_and_what_was_mended_is_said() {
         .par_iter()
         .filter_map(|(name, bytes, note)| match grown(bytes) {
             Err(error) => Some(format!("{name}: {error}")),
-            Ok(grown) if grown.spots() == 0 => Some(format!("{name}: {} spots", grown.spots())),
+            Ok(grown) if grown.layers[0].spots() == 0 => {
+                Some(format!("{name}: {} spots", grown.layers[0].spots()))
+            }
             Ok(grown) => {
                 let notes = grown.placed.notes();
                 let is_said = notes.iter().any(|text| text.contains(note)) || note.is_empty();

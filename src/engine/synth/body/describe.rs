@@ -1,14 +1,16 @@
 //! What `check` says of a document on a model.
 
+use std::fmt::Write as _;
+
 use serde_json::{Map, Value, json};
 
 use crate::document::Document;
-use crate::synth::body::anchors::Asked;
-use crate::synth::body::drawn_spacing::drawn_spacing;
+use crate::synth::body::asked::Asked;
+use crate::synth::body::growth::asked_of_all;
 use crate::synth::body::needs;
 use crate::synth::body::placed::Placed;
 use crate::synth::body::plan::cell;
-use crate::synth::body::refusals::{self, system};
+use crate::synth::body::refusals;
 use crate::synth::error::{GrowError, LayerError};
 use crate::synth::options::Options;
 
@@ -37,20 +39,29 @@ pub fn describe(
     let body = refusals::check(document, source)?;
     let placed = Placed::read(body, model, source)?;
     let in_layer = |error: LayerError| error.in_layer(source, 1);
-    let drawn = drawn_spacing(document, body, &placed, options).map_err(in_layer)?;
-    let asked = Asked::read(document, body, &drawn, source, training)?;
-    let cell = cell(&asked, training).map_err(in_layer)?;
+    let asked = asked_of_all(document, body, &placed, options).map_err(in_layer)?;
+    let cells: Vec<f64> = asked
+        .iter()
+        .map(|asked| cell(document, asked, training).map_err(in_layer))
+        .collect::<Result<_, GrowError>>()?;
     let area = placed.mesh.area();
-    let refusal = needs::check(area, cell, options).err().map(in_layer);
-    let vertices = needs::vertices(area, cell);
+    let refusal = needs::check(area, &cells, options).err().map(in_layer);
     let name = body.source.name();
-    let text = format!(
-        "model:   {name}, {} px along its longest side, {area:.0} px² to grow on\n  {}: about {vertices:.0} vertices, {cell:.2} px a cell\n",
-        body.px,
-        system().description().title
-    );
-    let json = json!({"model": name, "px": body.px, "area": area, "system": system().description().name,
-        "vertices": vertices.round(), "cell": cell});
+    let mut text =
+        format!("model:   {name}, {} px along its longest side, {area:.0} px² to grow on\n", body.px);
+    let mut layers = Vec::new();
+    for (Asked { layer, choice, .. }, cell) in asked.iter().zip(&cells) {
+        let vertices = needs::vertices(area, &[*cell]);
+        let system = choice.system.description();
+        let _ = writeln!(
+            text,
+            "  layer {} ({}): about {vertices:.0} vertices, {cell:.2} px a cell",
+            layer + 1,
+            system.title
+        );
+        layers.push(json!({"system": system.name, "vertices": vertices.round(), "cell": cell}));
+    }
+    let json = json!({"model": name, "px": body.px, "area": area, "layers": layers});
     let mut notes = placed.notes();
     notes.extend(refusals::notes(document));
     let json = json.as_object().cloned().unwrap_or_default();

@@ -5,10 +5,12 @@ use std::io::Write;
 use crate::document::BodySource;
 use crate::export::Stopped;
 use crate::export::body::{Coloured, Fine, normals, ply, stl};
-use crate::export::maps::Surface;
+use crate::export::maps::{Surface, shares};
 use crate::surface::Mesh;
+use crate::synth::body::coat::Coat;
 use crate::synth::body::grown::GrownBody;
-use crate::synth::body::output::{BARE, Lights};
+use crate::synth::body::output::BARE;
+use crate::synth::body::texture::chosen;
 
 /// Millimetres of an inch.
 const INCH: f64 = 25.4;
@@ -26,11 +28,15 @@ impl GrownBody {
     /// as closed as the model is: no vertex is split.
     #[must_use]
     pub fn displaced(&self, height: f64) -> Displaced {
-        let Fine { mut mesh, normals, pattern } = self.fine();
+        let Fine { mut mesh, normals, patterns } = self.fine();
         let relief = Surface { relief: vec![height], ..Surface::default() };
-        let lights = Lights::new(&self.colours().gradient());
-        let colours = pattern.iter().map(|value| lights.of(*value)).collect();
-        let heights = relief.height(&[pattern.iter().map(|value| value.clamp(0.0, 1.0)).collect()]);
+        let coat = Coat::new(&self.document);
+        let of_vertex = |vertex: usize| patterns.iter().map(|pattern| pattern[vertex]).collect::<Vec<f32>>();
+        let colours = (0..mesh.positions.len()).map(|vertex| coat.light(&of_vertex(vertex))).collect();
+        let mut shared = chosen(&patterns, &self.raised());
+        shares(&mut shared);
+        let mut heights = relief.height(&shared);
+        heights.resize(mesh.positions.len(), 0.0);
         let (scale, unit) = (self.placed.scale, self.millimetres());
         for ((at, normal), height) in mesh.positions.iter_mut().zip(&normals).zip(heights) {
             let ground = scale.to_file(*at);

@@ -10,18 +10,19 @@ use crate::synth::body::remeshed::Remeshed;
 use crate::synth::error::LayerError;
 use crate::synth::options::Options;
 
-/// The spacing of each mark on the model, px; `None` where no neighbour says it. Where marks are drawn on the canvas too, they say how far
+/// The spacing of each mark of a layer on the model, px; `None` where no neighbour says it. Where marks are drawn on the canvas too, they say how far
 /// apart spots are, and there is nothing here.
 ///
 /// # Errors
 /// The marks are too small for the model: memory or time.
 pub fn drawn_spacing(
     document: &Document,
+    layer: usize,
     body: &Body,
     placed: &Placed,
     options: &Options,
 ) -> Result<Vec<Option<f64>>, LayerError> {
-    let layer = &document.layers[0];
+    let layer = &document.layers[layer];
     let marks: Vec<_> = ellipses(&layer.on_model).map(|(_, mark)| mark).collect();
     if !layer.strokes.is_empty() || marks.len() < 2 {
         return Ok(Vec::new());
@@ -29,7 +30,7 @@ pub fn drawn_spacing(
     // Distances need no finer cells than the smallest mark.
     let smallest = marks.iter().map(|mark| mark.radii[0] * mark.radii[1]).fold(f64::INFINITY, f64::min);
     let cell = smallest.sqrt();
-    needs::check(placed.mesh.area(), cell, options)?;
+    needs::check(placed.mesh.area(), &[cell], options)?;
     let mut remeshed = Remeshed::begin(placed, cell);
     while remeshed.advance() {}
     let [_, surface] = remeshed.surfaces(body);

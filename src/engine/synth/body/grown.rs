@@ -1,38 +1,24 @@
 //! What has grown on a model.
 
-use crate::document::{Colours, Document};
+use crate::document::Document;
+use crate::synth::body::layer::BodyLayer;
 use crate::synth::body::placed::Placed;
-use crate::synth::body::plan::BodyPlan;
-use crate::synth::body::threshold::Levelled;
 
-/// A pattern that has grown on a model.
+/// The layers that have grown on a model.
 pub struct GrownBody {
     /// The document that was grown.
     pub document: Document,
     /// The model, px.
     pub placed: Placed,
-    /// What it grew from.
-    pub plan: BodyPlan,
-    /// The pattern and what is measured in it.
-    pub levelled: Levelled,
-    /// How many spots were laid.
-    pub laid: usize,
-    /// Steps taken.
-    pub steps: u64,
-    /// Whether the pattern settled within its time.
-    pub settled: bool,
+    /// Its layers, the lowest first. Each has grown on a mesh of its own.
+    pub layers: Vec<BodyLayer>,
 }
 
 impl GrownBody {
-    /// The colours of its layer.
+    /// The layer with the finest mesh; the highest of equal ones.
     #[must_use]
-    pub fn colours(&self) -> Colours {
-        self.document.layers[0].colours.clone().unwrap_or_else(|| Colours::default_for_layer(0))
-    }
-
-    /// How many spots have grown.
-    #[must_use]
-    pub fn spots(&self) -> usize {
-        self.levelled.measured.spots.len()
+    pub fn finest(&self) -> &BodyLayer {
+        let vertices = |layer: &&BodyLayer| layer.plan.surface().mesh.positions.len();
+        self.layers.iter().max_by_key(vertices).expect("a body that has grown has a layer")
     }
 }

@@ -2,17 +2,20 @@
 
 use std::sync::Arc;
 
-use crate::document::{Body, Document, DocumentError};
-use crate::rd::{Operators, SurfaceGrowth, from_places};
+use crate::document::{After, Body, Document, DocumentError};
+use crate::rd::{Operators, SurfaceGrowth};
 use crate::surface::Surface;
-use crate::synth::body::anchors::Asked;
+use crate::synth::body::asked::Asked;
+use crate::synth::body::begin::{Initial, begin};
+use crate::synth::body::beneath::{covering, obstacles, raise_beside_obstacles};
+use crate::synth::body::curves::widths;
 use crate::synth::body::drawn_spacing::drawn_spacing;
 use crate::synth::body::grown::GrownBody;
-use crate::synth::body::laid::lay;
+use crate::synth::body::layer::BodyLayer;
 use crate::synth::body::needs;
 use crate::synth::body::placed::Placed;
 use crate::synth::body::plan::{self, BodyPlan};
-use crate::synth::body::refusals::{self, system};
+use crate::synth::body::refusals;
 use crate::synth::body::remeshed::Remeshed;
 use crate::synth::body::threshold::Levelled;
 use crate::synth::error::{GrowError, LayerError};
@@ -49,26 +52,35 @@ enum State {
     /// The model and the sketch are read.
     Read,
     /// What the growth needs is compared with memory and time.
-    Check(Box<(Placed, Asked)>),
-    /// The model gets the cells on which spots grow.
-    Remesh(Box<(Placed, Asked, Remeshed)>),
+    Check(Box<Model>),
+    /// The model gets the cells on which the next layer grows.
+    Remesh(Box<Model>, Box<Remeshed>),
     /// What is wanted where, and parameters. The first surface is coarse, the second fine.
-    Plan(Box<(Placed, Asked, [Surface; 2])>),
-    /// Spots are laid.
-    Lay(Box<(Placed, BodyPlan, Surface)>),
-    /// They grow.
-    Grow(Box<Growing>),
-    /// They have grown.
-    Level(Box<Growing>, bool),
+    Plan(Box<Model>, Box<[Surface; 2]>),
+    /// The layer gets its initial concentrations.
+    Begin(Box<Model>, Box<BodyPlan>, Box<Surface>),
+    /// It grows.
+    Grow(Box<Model>, Box<Growing>),
+    /// It has grown.
+    Level(Box<Model>, Box<Growing>, bool),
     /// All is done.
     Done(Box<GrownBody>),
     /// It does not grow.
     Failed,
 }
 
+/// The model, what is asked for on it, and what has grown.
+struct Model {
+    placed: Placed,
+    /// One a layer.
+    asked: Vec<Asked>,
+    /// px a cell, one a layer.
+    cells: Vec<f64>,
+    layers: Vec<BodyLayer>,
+}
+
 /// A pattern that grows.
 struct Growing {
-    placed: Placed,
     plan: BodyPlan,
     growth: SurfaceGrowth,
     monitor: ConvergenceMonitor,
@@ -95,96 +107,124 @@ impl<'a> BodyGrowth<'a> {
     /// Why the document does not grow. The growth has then ended.
     pub fn advance(&mut self, budget: u64) -> Result<BodyProgress, GrowError> {
         let state = std::mem::replace(&mut self.state, State::Failed);
-        let next = self.next(state, budget).map_err(|error| error.in_layer(self.options.source, 1))?;
+        let layer = 1 + state.layer();
+        let next = self.next(state, budget).map_err(|error| error.in_layer(self.options.source, layer))?;
         self.state = next;
         let done = matches!(self.state, State::Done(_) | State::Failed);
         Ok(if done { BodyProgress::Done } else { BodyProgress::Growing })
     }
 
     fn next(&mut self, state: State, budget: u64) -> Result<State, LayerError> {
-        let Options { source, training, .. } = self.options;
         Ok(match state {
-            State::Read => {
-                let placed = Placed::read(self.body, self.model, source)?;
-                let drawn = drawn_spacing(self.document, self.body, &placed, &self.options)?;
-                let asked = Asked::read(self.document, self.body, &drawn, source, training)?;
-                State::Check(Box::new((placed, asked)))
+            State::Read => State::Check(Box::new(self.read()?)),
+            State::Check(model) => {
+                let area = model.placed.mesh.area();
+                needs::check(area, &model.cells, &self.options)?;
+                self.seconds = Some(needs::seconds(needs::vertices(area, &model.cells)));
+                remesh(model)
             }
-            State::Check(read) => {
-                let (placed, asked) = *read;
-                let cell = plan::cell(&asked, training)?;
-                needs::check(placed.mesh.area(), cell, &self.options)?;
-                self.seconds = Some(needs::seconds(needs::vertices(placed.mesh.area(), cell)));
-                let remeshed = Remeshed::begin(&placed, cell);
-                State::Remesh(Box::new((placed, asked, remeshed)))
-            }
-            State::Remesh(mut remesh) => {
-                if remesh.2.advance() {
-                    return Ok(State::Remesh(remesh));
+            State::Remesh(model, mut remeshed) => {
+                if remeshed.advance() {
+                    return Ok(State::Remesh(model, remeshed));
                 }
-                let (placed, asked, remeshed) = *remesh;
-                State::Plan(Box::new((placed, asked, remeshed.surfaces(self.body))))
+                State::Plan(model, Box::new(remeshed.surfaces(self.body)))
             }
-            State::Plan(read) => {
-                let (placed, asked, [coarse, fine]) = *read;
-                let plan = BodyPlan::new(self.document, self.body, &asked, &placed, fine, training)?;
-                State::Lay(Box::new((placed, plan, coarse)))
+            State::Plan(model, surfaces) => {
+                let [coarse, fine] = *surfaces;
+                let plan = self.plan(&model, fine)?;
+                State::Begin(model, Box::new(plan), Box::new(coarse))
             }
-            State::Lay(planned) => {
-                let (placed, plan, coarse) = *planned;
-                State::Grow(Box::new(self.lay(placed, plan, coarse)?))
+            State::Begin(model, plan, coarse) => {
+                let growing = self.begin_layer(&model, *plan, *coarse)?;
+                State::Grow(model, Box::new(growing))
             }
-            State::Grow(growing) => grow(growing, budget),
-            State::Level(growing, settled) => State::Done(Box::new(self.level(*growing, settled)?)),
+            State::Grow(model, growing) => grow(model, growing, budget),
+            State::Level(mut model, growing, settled) => {
+                model.layers.push(self.level(*growing, settled)?);
+                if model.layers.len() < model.asked.len() {
+                    return Ok(remesh(model));
+                }
+                let Model { placed, layers, .. } = *model;
+                State::Done(Box::new(GrownBody { document: self.document.clone(), placed, layers }))
+            }
             ended @ (State::Done(_) | State::Failed) => ended,
         })
     }
 
-    /// Lays spots on the surface.
-    fn lay(&self, placed: Placed, plan: BodyPlan, coarse: Surface) -> Result<Growing, LayerError> {
-        let maps = &plan.maps;
-        let places = lay(maps, coarse, self.document.layer_seed(0));
-        let concentrations = from_places(system(), maps, &places, &|_| false);
-        let surface = plan.surface();
-        let operators = Operators::new(system(), &surface.mesh, surface.frames(), &maps.parameters);
-        let growth = SurfaceGrowth::new(system(), maps, Arc::new(operators), &concentrations);
+    /// Reads the model, and what each layer asks for.
+    fn read(&self) -> Result<Model, LayerError> {
+        let Options { source, training, .. } = self.options;
+        let placed = Placed::read(self.body, self.model, source)?;
+        let asked = asked_of_all(self.document, self.body, &placed, &self.options)?;
+        let cells =
+            asked.iter().map(|asked| plan::cell(self.document, asked, training)).collect::<Result<_, _>>()?;
+        Ok(Model { placed, asked, cells, layers: Vec::new() })
+    }
+
+    /// Plans the next layer on its surface.
+    fn plan(&self, model: &Model, surface: Surface) -> Result<BodyPlan, LayerError> {
+        let asked = &model.asked[model.layers.len()];
+        let training = self.options.training;
+        let plan = BodyPlan::new(self.document, self.body, asked, &model.placed, surface, training)?;
+        let covering = covering(self.document, &model.layers);
+        let taken = obstacles(covering, plan.surface(), &asked.choice);
+        plan.among(self.document, taken)
+    }
+
+    /// Begins to grow a planned layer.
+    fn begin_layer(&self, model: &Model, mut plan: BodyPlan, coarse: Surface) -> Result<Growing, LayerError> {
+        let Initial { concentrations, laid } =
+            begin(self.document, &model.placed, &mut plan, coarse, &model.layers)?;
+        let (system, surface) = (plan.choice.system, plan.surface());
+        let operators = Operators::new(system, &surface.mesh, surface.frames(), &plan.maps.parameters);
+        let growth = SurfaceGrowth::new(system, &plan.maps, Arc::new(operators), &concentrations);
         let growth = growth.ok_or(LayerError::NoRoom)?;
         let unit = growth.steps_in(1.0) as f64;
-        let monitor = ConvergenceMonitor::new(system(), unit, true, growth.marks());
-        let laid = places.len();
-        Ok(Growing { placed, plan, growth, monitor, laid })
+        let monitor = ConvergenceMonitor::new(system, unit, true, growth.marks());
+        Ok(Growing { plan, growth, monitor, laid })
     }
 
     /// Makes the pattern of what has grown.
-    fn level(&self, growing: Growing, settled: bool) -> Result<GrownBody, LayerError> {
-        let Growing { placed, plan, growth, laid, .. } = growing;
-        let marks = growth.marks();
+    fn level(&self, growing: Growing, settled: bool) -> Result<BodyLayer, LayerError> {
+        let Growing { plan, growth, laid, .. } = growing;
+        let mut marks = growth.marks();
         if marks.iter().any(|mark| !mark.is_finite()) {
             return Err(LayerError::NoPattern);
         }
+        raise_beside_obstacles(&plan, &mut marks);
+        if let Some(curves) = &plan.curves {
+            let width = widths(&plan.wanted).into_iter().fold(f64::INFINITY, f64::min);
+            marks = curves.levelled(plan.surface(), &marks, width);
+        }
         let corrects = self.options.refine.unwrap_or(self.document.growth.refine);
         let levelled = Levelled::new(&plan, &marks, corrects);
-        if levelled.measured.spots.is_empty() {
+        if levelled.measured.sums.iter().all(|sums| sums.count == 0) {
             return Err(LayerError::Blank { what: "nothing", advice: LayerError::MARKS });
         }
-        let document = self.document.clone();
-        Ok(GrownBody { document, placed, plan, levelled, laid, steps: growth.steps(), settled })
+        Ok(BodyLayer { plan, levelled, laid, steps: growth.steps(), settled })
     }
 
     /// What is being done, and the share of it that is done, 0..1.
     #[must_use]
     pub fn progress(&self) -> (Stage, f64) {
+        // Within the layer, and the layers before it.
+        let within = |model: &Model, stage: Stage, share: f64| {
+            let layers = model.asked.len().max(1) as f64;
+            (stage, (model.layers.len() as f64 + share) / layers)
+        };
         match &self.state {
             State::Read => (Stage::Plan, 0.0),
-            State::Check(_) => (Stage::Plan, 0.05),
-            State::Remesh(remesh) => (Stage::Plan, 0.1 + 0.5 * remesh.2.share()),
-            State::Plan(_) => (Stage::Plan, 0.6),
-            State::Lay(_) => (Stage::Plan, 0.8),
-            State::Grow(growing) => {
-                let expected = ConvergenceMonitor::expected(system(), growing.monitor.unit(), true);
-                (Stage::Grow, (growing.growth.steps() as f64 / expected).min(1.0))
+            State::Check(model) => within(model, Stage::Plan, 0.0),
+            State::Remesh(model, remeshed) => within(model, Stage::Plan, 0.25 * remeshed.share()),
+            State::Plan(model, _) => within(model, Stage::Plan, 0.25),
+            State::Begin(model, ..) => within(model, Stage::Plan, 0.4),
+            State::Grow(model, growing) => {
+                let (system, unit) = (growing.plan.choice.system, growing.monitor.unit());
+                let expected = ConvergenceMonitor::expected(system, unit, true);
+                let share = (growing.growth.steps() as f64 / expected).min(1.0);
+                within(model, Stage::Grow, 0.5 + 0.45 * share)
             }
-            State::Level(..) => (Stage::Refine, 0.5),
+            State::Level(model, ..) => within(model, Stage::Refine, 0.95),
             State::Done(_) | State::Failed => (Stage::Refine, 1.0),
         }
     }
@@ -220,20 +260,59 @@ impl<'a> BodyGrowth<'a> {
     }
 }
 
+impl State {
+    /// The index of the layer that is worked on.
+    fn layer(&self) -> usize {
+        match self {
+            Self::Read | Self::Done(_) | Self::Failed => 0,
+            Self::Check(model) | Self::Remesh(model, _) | Self::Plan(model, _) => model.layers.len(),
+            Self::Begin(model, ..) | Self::Grow(model, _) | Self::Level(model, ..) => model.layers.len(),
+        }
+    }
+}
+
+/// What each layer of a document asks for on a model.
+///
+/// # Errors
+/// Why one of them cannot be read.
+pub fn asked_of_all(
+    document: &Document,
+    body: &Body,
+    placed: &Placed,
+    options: &Options,
+) -> Result<Vec<Asked>, LayerError> {
+    let mut all: Vec<Asked> = Vec::new();
+    for index in 0..document.layers.len() {
+        let drawn = drawn_spacing(document, index, body, placed, options)?;
+        let asked = Asked::read(document, index, body, &drawn, options.source, options.training)?;
+        all.push(match all.last() {
+            Some(outer) if document.layers[index].after == After::Inside => asked.spaced_as(outer),
+            _ => asked,
+        });
+    }
+    Ok(all)
+}
+
+/// Begins to give the model the cells of the next layer.
+fn remesh(model: Box<Model>) -> State {
+    let remeshed = Remeshed::begin(&model.placed, model.cells[model.layers.len()]);
+    State::Remesh(model, Box::new(remeshed))
+}
+
 /// Takes steps of about `budget` updates, no farther than to the next check whether the pattern has settled.
-fn grow(mut growing: Box<Growing>, budget: u64) -> State {
+fn grow(model: Box<Model>, mut growing: Box<Growing>, budget: u64) -> State {
     let vertices = growing.plan.maps.parameters.len();
     let Growing { growth, monitor, .. } = &mut *growing;
     let until_check = monitor.next_check().saturating_sub(growth.steps()).max(1);
     growth.advance((budget / vertices.max(1) as u64).clamp(1, until_check));
     if growth.steps() < monitor.next_check() {
-        return State::Grow(growing);
+        return State::Grow(model, growing);
     }
     let all = vec![true; vertices];
     let verdict = monitor.check(growth.steps(), |marks| growth.update_marks(marks, &all));
     match verdict {
-        Verdict::Forming => State::Grow(growing),
-        Verdict::Settled => State::Level(growing, true),
-        Verdict::GivenUp => State::Level(growing, false),
+        Verdict::Forming => State::Grow(model, growing),
+        Verdict::Settled => State::Level(model, growing, true),
+        Verdict::GivenUp => State::Level(model, growing, false),
     }
 }

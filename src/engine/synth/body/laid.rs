@@ -3,33 +3,57 @@
 
 use rayon::prelude::*;
 
-use crate::rd::{ParameterField, Parameters, nuclei};
+use crate::rd::{ParameterField, Parameters, PinnedSpot, Places, System, nuclei};
 use crate::surface::{Surface, SurfacePoint};
-use crate::synth::body::plan::degrees;
-use crate::synth::body::refusals::system;
+use crate::synth::body::given_directions::degrees;
 
-/// Places of spots on the surface of `maps`, laid on a `coarse` mesh of the same model.
+/// Places of spots on the surface of `maps`, laid on a `coarse` mesh of the same model: the `pinned` ones first, then others around
+/// them and beside obstacles.
 #[must_use]
-pub fn lay(maps: &ParameterField<Surface>, coarse: Surface, seed: u64) -> Vec<SurfacePoint> {
+pub fn lay(
+    maps: &ParameterField<Surface>,
+    system: System,
+    coarse: Surface,
+    seed: u64,
+    pinned: &[PinnedSpot<SurfacePoint>],
+) -> Places<SurfacePoint> {
     let fine = &maps.domain;
     let longer = coarse.unit() / fine.unit();
-    let at = |vertex: usize| {
-        let (place, normal) = (coarse.place_of(vertex), coarse.normal(vertex));
-        let own = fine.vertex_of(fine.closest_facing(coarse.position(place), normal));
-        let p = maps.parameters[own];
+    let on_coarse =
+        |at: SurfacePoint| coarse.closest_facing(fine.position(at), fine.normal(fine.vertex_of(at)));
+    // The same lengths are fewer of the longer cells, and the same direction has another angle in another frame.
+    let carried = |own: usize, place: SurfacePoint, p: Parameters| {
         let [x, y] = fine.frame(own);
         let (sin, cos) = libm::sincos(f64::from(p.direction).to_radians());
         let long_axis = std::array::from_fn(|i| cos * x[i] + sin * y[i]);
         let direction = degrees(&coarse, place, long_axis).unwrap_or_default() as f32;
-        // The same lengths are fewer of the longer cells.
         Parameters { rate: p.rate * (longer * longer) as f32, direction, ..p }
     };
-    let parameters = (0..coarse.mesh.positions.len()).into_par_iter().map(at).collect();
-    let maps = ParameterField::new(coarse, parameters);
-    let places = nuclei(system(), &maps, seed, &[]).inside;
-    let coarse = &maps.domain;
-    let carried = |place: &SurfacePoint| {
+    let nearest = |vertex: usize| {
+        let (place, normal) = (coarse.place_of(vertex), coarse.normal(vertex));
+        fine.vertex_of(fine.closest_facing(coarse.position(place), normal))
+    };
+    let own: Vec<usize> = (0..coarse.mesh.positions.len()).into_par_iter().map(nearest).collect();
+    let at = |(vertex, own): (usize, &usize)| carried(*own, coarse.place_of(vertex), maps.parameters[*own]);
+    let parameters = own.par_iter().enumerate().map(at).collect();
+    let is_taken =
+        |own: &usize| maps.is_obstacle(*own) || fine.ring(*own).any(|other| maps.is_obstacle(other));
+    let obstacles = if maps.obstacles.is_empty() { Vec::new() } else { own.iter().map(is_taken).collect() };
+    let pinned: Vec<PinnedSpot<SurfacePoint>> = pinned
+        .iter()
+        .map(|spot| {
+            let at = on_coarse(spot.at);
+            PinnedSpot { at, own: carried(fine.vertex_of(spot.at), at, spot.own), near: spot.near }
+        })
+        .collect();
+    let laid_on = ParameterField { obstacles, ..ParameterField::new(coarse.clone(), parameters) };
+    let places = nuclei(system, &laid_on, seed, &pinned);
+    let on_fine = |place: &SurfacePoint| {
         fine.closest_facing(coarse.position(*place), coarse.normal(coarse.vertex_of(*place)))
     };
-    places.iter().map(carried).collect()
+    Places {
+        inside: places.inside.iter().map(on_fine).collect(),
+        beyond: places.beyond.iter().map(on_fine).collect(),
+        pinned: places.pinned,
+    }
 }

@@ -8,14 +8,25 @@
 //! A spot on a surface is the flat spot, corrected for how fine the mesh is: training sets and lookup are those of the flat canvas.
 
 mod anchors;
+mod answer_table;
+mod asked;
+mod begin;
+mod beneath;
+mod choice;
+mod coat;
+mod curves;
 mod describe;
 mod displaced;
 mod drawn_spacing;
+mod given_directions;
+mod got;
 mod grown;
 mod growth;
 mod laid;
+mod layer;
 mod models;
 mod needs;
+mod noise_maps;
 mod output;
 mod placed;
 mod plan;
@@ -25,12 +36,14 @@ mod report;
 mod shown;
 mod texture;
 mod threshold;
+mod varied;
 mod wanted;
 
 pub use describe::{DescribedBody, describe};
 pub use displaced::Displaced;
 pub use grown::GrownBody;
 pub use growth::{BodyGrowth, BodyProgress};
+pub use layer::BodyLayer;
 pub use models::MATERIAL;
 pub use placed::Placed;
 pub use plan::BodyPlan;
@@ -40,5 +53,7 @@ pub use texture::{LaidOut, NoTexture, Texture};
 
 #[cfg(test)]
 mod bad_models;
+#[cfg(test)]
+mod kinds_tests;
 #[cfg(test)]
 mod tests;

@@ -10,10 +10,10 @@ const VERTEX: f64 = 2_500.0;
 /// Seconds of one core that a vertex takes: the same surfaces took .11 to .25 ms.
 const SECONDS: f64 = 2.5e-4;
 
-/// Vertices of a surface of `area` px² with cells of `cell` px.
+/// Vertices of all surfaces of `area` px², one with cells of each of these px.
 #[must_use]
-pub fn vertices(area: f64, cell: f64) -> f64 {
-    area / (cell * cell)
+pub fn vertices(area: f64, cells: &[f64]) -> f64 {
+    cells.iter().map(|cell| area / (cell * cell)).sum()
 }
 
 /// Seconds of one core that a growth on so many vertices takes, about.
@@ -22,13 +22,13 @@ pub fn seconds(vertices: f64) -> f64 {
     SECONDS * vertices
 }
 
-/// Checks that a growth on a surface of `area` px² with cells of `cell` px fits into memory and time. A surface may take as long as a
+/// Checks that a growth on surfaces of `area` px², one a layer with cells of these px, fits into memory and time. A surface may take as long as a
 /// canvas of its area.
 ///
 /// # Errors
 /// It does not: the numbers, and what to change.
-pub fn check(area: f64, cell: f64, options: &Options) -> Result<(), LayerError> {
-    let vertices = vertices(area, cell);
+pub fn check(area: f64, cells: &[f64], options: &Options) -> Result<(), LayerError> {
+    let vertices = vertices(area, cells);
     let needed = memory::BASE + VERTEX * vertices;
     if let Some(free) = options.memory.filter(|free| needed > *free) {
         return Err(TooFine::Memory { vertices, needed, free }.into());
@@ -45,10 +45,10 @@ mod tests {
     #[test]
     fn a_surface_with_too_many_vertices_is_refused_before_it_is_made() {
         let options = Options { memory: Some(1e9), time: TimeLimit::Usual, ..Options::default() };
-        assert!(check(1e6, 6.0, &options).is_ok());
-        let error = check(1e6, 0.5, &options).unwrap_err().to_string();
+        assert!(check(1e6, &[6.0], &options).is_ok());
+        let error = check(1e6, &[0.5], &options).unwrap_err().to_string();
         assert!(error.contains("about 4000000 vertices need about 10.1 GB of memory, 1.0 GB"), "{error}");
-        let error = check(1e6, 0.5, &Options { memory: None, ..options }).unwrap_err().to_string();
+        let error = check(1e6, &[0.5], &Options { memory: None, ..options }).unwrap_err().to_string();
         assert!(
             error.contains("vertices take about 15 min of one core") && error.ends_with("--minutes 17"),
             "{error}"

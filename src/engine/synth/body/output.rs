@@ -2,12 +2,14 @@
 
 use std::io::Write;
 
-use crate::colour::{Gradient, linear_light};
 use crate::document::Axis;
 use crate::export::Stopped;
 use crate::export::body::{Coloured, Fine, glb, normals, ply};
 use crate::surface::Mesh;
+use crate::synth::body::beneath::carried;
+use crate::synth::body::coat::Coat;
 use crate::synth::body::grown::GrownBody;
+use crate::synth::body::layer::BodyLayer;
 
 /// The light of parts that nothing grows on.
 pub const BARE: [f32; 3] = [0.55; 3];
@@ -65,11 +67,13 @@ impl GrownBody {
         write: impl FnOnce(&[Coloured]) -> Result<(), Stopped>,
     ) -> Result<(), Stopped> {
         let scale = &self.placed.scale;
-        let Fine { mut mesh, pattern, .. } = self.fine();
+        let Fine { mut mesh, patterns, .. } = self.fine();
         mesh.positions.iter_mut().for_each(|at| *at = turned(scale.to_file(*at)));
         let shown = normals(&mesh);
-        let lights = Lights::new(&self.colours().gradient());
-        let colours: Vec<[f32; 3]> = pattern.iter().map(|value| lights.of(*value)).collect();
+        let coat = Coat::new(&self.document);
+        let at = |vertex: usize| patterns.iter().map(|pattern| pattern[vertex]).collect::<Vec<f32>>();
+        let colours: Vec<[f32; 3]> =
+            (0..mesh.positions.len()).map(|vertex| coat.light(&at(vertex))).collect();
         let bare = self.bare(turned);
         let grown = Coloured {
             name: "grown",
@@ -95,11 +99,22 @@ impl GrownBody {
         write(&parts)
     }
 
-    /// The pattern on a mesh so fine that edges of spots between its vertices look smooth.
+    /// The patterns of all layers on the mesh of the finest, by vertex.
+    #[must_use]
+    pub fn patterns(&self) -> Vec<Vec<f32>> {
+        let finest = self.finest();
+        let of_layer = |layer: &BodyLayer| {
+            let is_own = layer.plan.layer == finest.plan.layer;
+            if is_own { layer.levelled.pattern.clone() } else { carried(layer, finest.plan.surface()) }
+        };
+        self.layers.iter().map(of_layer).collect()
+    }
+
+    /// The patterns on a mesh so fine that edges of spots between its vertices look smooth.
     #[must_use]
     pub fn fine(&self) -> Fine {
-        let mesh = self.plan.surface().mesh.clone();
-        let fine = Fine { normals: normals(&mesh), pattern: self.levelled.pattern.clone(), mesh };
+        let mesh = self.finest().plan.surface().mesh.clone();
+        let fine = Fine { normals: normals(&mesh), patterns: self.patterns(), mesh };
         if fine.mesh.faces.len() > MOST { fine } else { fine.split() }
     }
 
@@ -121,29 +136,6 @@ impl GrownBody {
     /// The axis of the file that points upwards.
     pub(super) fn up(&self) -> Axis {
         self.document.model.as_ref().map_or(Axis::Y, |body| body.up)
-    }
-}
-
-/// The linear light of pattern values.
-pub struct Lights(Vec<[f32; 3]>);
-
-impl Lights {
-    /// Steps of the table between ground and the middle of a spot.
-    const STEPS: usize = 4_096;
-
-    /// The light of a gradient's colours.
-    #[must_use]
-    pub fn new(gradient: &Gradient) -> Self {
-        let codes = linear_light();
-        let values = (0..=Self::STEPS).map(|step| step as f32 / Self::STEPS as f32);
-        let colours = gradient.colours(values);
-        Self(colours.into_iter().map(|colour| colour.map(|code| codes[usize::from(code)])).collect())
-    }
-
-    /// The light of a value.
-    #[must_use]
-    pub fn of(&self, value: f32) -> [f32; 3] {
-        self.0[(value.clamp(0.0, 1.0) * Self::STEPS as f32 + 0.5) as usize]
     }
 }
 

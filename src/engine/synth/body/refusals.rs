@@ -1,16 +1,11 @@
 //! What a document may not ask for on a model.
 
 use crate::document::{
-    After, Body, BodyMark, Document, DocumentError, Kind, Layer, LayerOptions, Problem, RaggedChoice,
-    SpreadChoice, Stroke, SystemChoice,
+    After, Body, BodyMark, Document, DocumentError, Kind, Layer, LayerOptions, MapSource, Problem,
+    RaggedChoice, Seeding, Stroke, SystemChoice,
 };
-use crate::rd::System;
-
-/// The system that grows on models: the first of which is known what a coarse mesh does to it.
-pub fn system() -> System {
-    let is_known = |system: &System| system.definition().fineness.is_some();
-    System::ALL.into_iter().find(is_known).unwrap_or(System::ALL[0])
-}
+use crate::synth::body::choice::{grows, systems};
+use crate::synth::drawn::maps;
 
 /// The model of a document, if what it asks for grows on one.
 ///
@@ -19,44 +14,68 @@ pub fn system() -> System {
 pub fn check<'a>(document: &'a Document, source: &str) -> Result<&'a Body, DocumentError> {
     let missing = || Problem::new("the document", "no key \"model\"", "a model to grow on");
     let body = document.model.as_ref().ok_or_else(|| missing().in_file(source))?;
-    let problem = layers(document).or_else(|| refused(&document.layers[0]));
+    let layers = document.layers.iter().enumerate();
+    let problem = layers.into_iter().find_map(|(index, layer)| refused(layer, index));
     problem.map_or(Ok(body), |problem| Err(problem.in_file(source)))
 }
 
-fn layers(document: &Document) -> Option<Problem> {
-    let count = document.layers.len();
-    let allowed = "one layer of spots: layers above each other do not grow on a model yet";
-    (count != 1).then(|| Problem::new("layers", format!("{count} layers on a model"), allowed))
+/// The problem of a layer whose system does not grow its marks on a model.
+#[must_use]
+pub fn system(layer: &Layer, index: usize) -> Problem {
+    let names: Vec<&str> = systems().map(|system| system.description().name).collect();
+    let found = format!("{:?} on a model", layer.wanted_system().name());
+    let allowed =
+        format!("auto, {}, for marks that they grow; others do not grow on a model yet", names.join(", "));
+    Problem::new(format!("layers[{index}].system"), found, allowed)
 }
 
-/// What of its only layer does not grow on a model.
-fn refused(layer: &Layer) -> Option<Problem> {
+/// What of layer `index` does not grow on a model.
+fn refused(layer: &Layer, index: usize) -> Option<Problem> {
     const NEW: &str = "leave it out: it does not grow on a model yet";
     let at = |key: &str, found: &str, allowed: &str| {
-        Some(Problem::new(format!("layers[0].{key}"), found, allowed))
+        Some(Problem::new(format!("layers[{index}].{key}"), found, allowed))
     };
-    let name = system().description().name;
-    let is_known = matches!(layer.system, SystemChoice::Auto) || layer.system.system() == Some(system());
+    let is_known = match layer.wanted_system() {
+        SystemChoice::Auto | SystemChoice::Stripes => true,
+        given => given.system().is_some_and(grows),
+    };
     if !is_known {
-        let found = format!("{:?} on a model", layer.system.name());
-        return at("system", &found, &format!("auto or {name}; others do not grow on a model yet"));
+        return Some(system(layer, index));
     }
     let drawn = Kind::of_layer(layer.strokes.iter().filter_map(Stroke::mark).map(|mark| Kind::from(&mark)));
-    let has_lines = layer.on_model.iter().any(|mark| matches!(mark, BodyMark::Path { .. }));
-    if drawn == Some(Kind::Line) || has_lines {
-        return at("strokes", "lines or paths on a model", "ellipses; stripes do not grow on a model yet");
+    let on_model = layer.on_model.iter().map(|mark| match mark {
+        BodyMark::Ellipse(_) => Kind::Ellipse,
+        BodyMark::Path { .. } => Kind::Line,
+    });
+    let kinds: Vec<Kind> = on_model.chain(drawn).collect();
+    if kinds.iter().any(|kind| *kind != kinds[0]) {
+        return at("strokes", "ellipses and lines in one layer", "marks of one kind in a layer on a model");
     }
-    let LayerOptions { spread, irregular, ragged, broken, .. } = layer.options;
+    let has_paths = layer.on_model.iter().any(|mark| matches!(mark, BodyMark::Path { .. }));
+    let LayerOptions { irregular, ragged, broken, seeding, .. } = layer.options;
+    let needs_paths = "a path on the model, from which stripes begin";
+    match seeding {
+        Seeding::Segments => return at("options.seeding", "\"segments\" on a model", "noise or initiators"),
+        Seeding::Initiators if !has_paths => return at("strokes", "no path on the model", needs_paths),
+        Seeding::Initiators | Seeding::Noise => {}
+    }
     let options = [
-        ("options.spread", matches!(spread, SpreadChoice::Given(_))),
         ("options.irregular", irregular != 0.0),
         ("options.ragged", matches!(ragged, RaggedChoice::Given(_))),
-        ("options.broken", broken != 0.0),
+        ("options.broken", broken != 0.0 && layer.after != After::Around),
         ("tone", layer.tone.is_some()),
         ("points", layer.points.is_some()),
-        ("maps", !layer.maps.is_empty()),
     ];
-    if layer.after != After::Between {
+    for (key, map) in layer.maps.iter() {
+        let is_known = maps::modulated(key).is_some() && matches!(map.source, MapSource::Noise { .. });
+        if !is_known {
+            let name = key.name();
+            let allowed =
+                "noise for area, spacing, direction, aspect or duty; others do not vary on a model yet";
+            return at(&format!("maps.{name}"), &format!("this map of {name} on a model"), allowed);
+        }
+    }
+    if index == 0 && layer.after != After::Between {
         return at("after", &format!("{:?}", layer.after.name()), "between: it is the lowest layer");
     }
     let (key, _) = options.into_iter().find(|(_, given)| *given)?;
@@ -66,11 +85,11 @@ fn refused(layer: &Layer) -> Option<Problem> {
 
 /// What of the document means nothing on a model, and is not refused.
 pub fn notes(document: &Document) -> Vec<String> {
-    let layer = &document.layers[0];
     let is_unpinned = document.model.as_ref().is_some_and(|model| model.pins.is_empty());
+    let has_strokes = document.layers.iter().any(|layer| !layer.strokes.is_empty());
     let said = [
         (
-            !is_unpinned && layer.strokes.is_empty(),
+            !is_unpinned && !has_strokes,
             "pins hold what is drawn on the canvas, and nothing is drawn there: they mean nothing",
         ),
         (
@@ -82,8 +101,8 @@ pub fn notes(document: &Document) -> Vec<String> {
             "without pins the whole sketch holds everywhere on the model; its regions are read as one",
         ),
         (
-            layer.options.keep == Some(true),
-            "drawn marks say what is wanted, and are not kept in place on a model yet",
+            document.layers.iter().any(|layer| layer.options.keep == Some(true) && layer.on_model.is_empty()),
+            "marks that are drawn on the canvas have no place on the model: \"keep\" holds for marks on the model",
         ),
     ];
     said.into_iter().filter(|(is_so, _)| *is_so).map(|(_, note)| note.to_owned()).collect()

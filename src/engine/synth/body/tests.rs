@@ -1,11 +1,12 @@
 //! Growths on small bodies.
 
-use super::anchors::{Asked, anchors};
+use super::anchors::anchors;
+use super::asked::Asked;
 use super::drawn_spacing::drawn_spacing;
 use super::placed::Placed;
 use super::plan::{self, BodyPlan};
 use super::remeshed::Remeshed;
-use super::{BodyGrowth, BodyProgress, GrownBody};
+use super::{BodyGrowth, BodyLayer, BodyProgress, GrownBody};
 use crate::document::{Body, BodyEllipse, BodyMark, BodySource, Document, Layer, Stroke};
 use crate::surface::Surface;
 use crate::synth::Options;
@@ -59,21 +60,23 @@ fn marks_on_the_model_without_a_sketch_want_the_distance_that_they_have_there() 
     document.layers[0].on_model = (0..9).map(mark).collect();
     let body = document.model.clone().expect("a model");
     let placed = Placed::read(&body, None, "test").expect("a cube");
-    let drawn = drawn_spacing(&document, &body, &placed, &Options::default()).expect("it fits");
+    let drawn = drawn_spacing(&document, 0, &body, &placed, &Options::default()).expect("it fits");
     let middle = drawn[4].expect("a distance");
     // Two neighbours at 18 px, two at 22.5.
     assert!((middle - 20.25).abs() < 0.2, "{drawn:?}");
     document.layers[0].strokes = vec![Stroke::ellipse([40.0, 40.0], [4.0, 4.0], 0.0)];
-    assert!(drawn_spacing(&document, &body, &placed, &Options::default()).expect("it fits").is_empty());
+    assert!(drawn_spacing(&document, 0, &body, &placed, &Options::default()).expect("it fits").is_empty());
 }
 
 #[test]
 fn the_pattern_does_not_depend_on_how_the_growth_is_cut() {
     let document = document("torus", 90.0);
     let whole = grown(&document, u64::MAX);
+    let [whole] = &whole.layers[..] else { panic!("one layer") };
     assert!(whole.settled && whole.spots() > 20, "{}", whole.spots());
     for budget in [1, 40_000] {
         let cut = grown(&document, budget);
+        let cut = &cut.layers[0];
         assert_eq!((cut.steps, &cut.levelled.pattern), (whole.steps, &whole.levelled.pattern), "{budget}");
     }
 }
@@ -81,13 +84,14 @@ fn the_pattern_does_not_depend_on_how_the_growth_is_cut() {
 #[test]
 fn another_seed_lays_other_spots_of_the_same_area() {
     let [first, second] = [1, 2].map(|seed| grown(&Document { seed, ..document("sphere", 90.0) }, u64::MAX));
+    let [first, second] = [&first.layers[0], &second.layers[0]];
     assert_ne!(first.levelled.pattern, second.levelled.pattern);
     for grown in [first, second] {
         assert_eq!(grown.laid, grown.spots());
         let sums = grown.levelled.measured.sums[0];
-        assert!((sums.area / sums.wanted - 1.0).abs() < 1e-3, "{sums:?}");
+        assert!((sums.got / sums.wanted - 1.0).abs() < 1e-3, "{sums:?}");
         let before = grown.levelled.before[0];
-        assert!((before.area / before.wanted - 1.0).abs() < 0.015, "{before:?}");
+        assert!((before.got / before.wanted - 1.0).abs() < 0.015, "{before:?}");
     }
 }
 
@@ -97,8 +101,8 @@ fn spots_on_coarser_cells_have_lower_levels() {
     let document = document("sphere", 90.0);
     let (body, training) = (document.model.clone().expect("a model"), Training::built_in());
     let placed = Placed::read(&body, None, "test").expect("a sphere");
-    let asked = Asked::read(&document, &body, &[], "test", training).expect("spots");
-    let cell = plan::cell(&asked, training).expect("a cell");
+    let asked = Asked::read(&document, 0, &body, &[], "test", training).expect("spots");
+    let cell = plan::cell(&document, &asked, training).expect("a cell");
     let level = |cell: f64| {
         let surface = surface(&placed, &body, cell);
         let placed = Placed::read(&body, None, "test").expect("a sphere");
@@ -120,13 +124,13 @@ fn strokes_on_the_model_turn_the_directions_along_them() {
     body.strokes = vec![vec![[0.0, -0.5, 0.87], [0.0, 0.0, 1.0], [0.0, 0.5, 0.87]]];
     let training = Training::built_in();
     let placed = Placed::read(&body, None, "test").expect("a sphere");
-    let asked = Asked::read(&document, &body, &[], "test", training).expect("spots");
-    let cell = plan::cell(&asked, training).expect("a cell");
+    let asked = Asked::read(&document, 0, &body, &[], "test", training).expect("spots");
+    let cell = plan::cell(&document, &asked, training).expect("a cell");
     let surface = surface(&placed, &body, cell);
     let plan = BodyPlan::new(&document, &body, &asked, &placed, surface, training);
     let plan = plan.expect("a plan");
     let front = plan.surface().vertex_of(plan.surface().closest([0.0, 0.0, 45.0]));
-    let off = (plan.wanted[front].angle - 90.0).abs();
-    assert!(off < 4.0, "{}", plan.wanted[front].angle);
+    let angle = plan.wanted[front].angle();
+    assert!((angle - 90.0).abs() < 4.0, "{angle}");
     assert!(!anchors(&asked, &document, &body, plan.surface(), &placed.scale).is_empty());
 }

@@ -3,13 +3,14 @@
 use std::io::Write;
 use std::ops::Range;
 
-use crate::colour::FineTable;
-use crate::export::Stopped;
 use crate::export::bake::{Atlas, Baked, Baker, Texels, Unfit, automatic, openness, own};
 use crate::export::maps::{Green, Surface, encoded, shares};
 use crate::export::material::{Failed, Map, Set, id_colour, write_some};
+use crate::export::{Stopped, srgb_from_linear};
 use crate::grid::to_u16;
+use crate::synth::body::coat::Coat;
 use crate::synth::body::grown::GrownBody;
+use crate::synth::drawn::is_replaced;
 use crate::synth::pattern::EDGE;
 use crate::synth::watch::{Stage, Watch};
 
@@ -63,7 +64,9 @@ pub struct NoTexture {
 pub struct Texture<'a> {
     baker: Baker<'a>,
     surface: Surface,
-    colours: FineTable,
+    coat: Coat,
+    /// The layers whose marks have a relief: those that are seen.
+    raised: Vec<usize>,
 }
 
 impl GrownBody {
@@ -88,10 +91,11 @@ impl GrownBody {
         }
     }
 
-    /// Whether any of its colours is transparent.
-    #[must_use]
-    pub fn is_transparent(&self) -> bool {
-        !self.colours().gradient().is_opaque()
+    /// The layers whose marks are seen.
+    pub(super) fn raised(&self) -> Vec<usize> {
+        let layers = self.document.layers.iter().enumerate();
+        let seen = layers.filter(|(index, layer)| layer.visible && !is_replaced(&self.document, *index));
+        seen.map(|(index, _)| index).collect()
     }
 
     /// Whether something grows on a part of the model.
@@ -104,9 +108,10 @@ impl GrownBody {
     /// A texture of this size, texels. Heights of the relief are px of the sketch.
     #[must_use]
     pub fn texture<'a>(&'a self, atlas: &'a Atlas, size: [usize; 2], surface: &Surface) -> Texture<'a> {
-        let grown = self.plan.surface();
-        let patterns = [self.levelled.pattern.as_slice()];
-        let mut shared: Vec<Vec<f32>> = patterns.iter().map(|pattern| pattern.to_vec()).collect();
+        let grown = self.finest().plan.surface();
+        let patterns = self.patterns();
+        let raised = self.raised();
+        let mut shared = chosen(&patterns, &raised);
         shares(&mut shared);
         let [low, high] = surface.range(shared.len());
         let radius = (REACH * (high - low)).min(FARTHEST * grown.unit());
@@ -117,9 +122,15 @@ impl GrownBody {
         let gutter = (GUTTER * size[0].max(size[1]) as f64).ceil() as usize;
         let texels = Texels::new(atlas, size, gutter.max(2));
         let scale = self.placed.scale;
-        let baker = Baker::new(atlas, texels, grown, &move |at| scale.to_px(at), &patterns, open);
-        Texture { baker, surface: surface.clone(), colours: FineTable::new(&self.colours().gradient()) }
+        let layers: Vec<&[f32]> = patterns.iter().map(Vec::as_slice).collect();
+        let baker = Baker::new(atlas, texels, grown, &move |at| scale.to_px(at), &layers, open);
+        Texture { baker, surface: surface.clone(), coat: Coat::new(&self.document), raised }
     }
+}
+
+/// Some of the layers.
+pub(super) fn chosen(patterns: &[Vec<f32>], layers: &[usize]) -> Vec<Vec<f32>> {
+    layers.iter().map(|layer| patterns[*layer].clone()).collect()
 }
 
 impl Texture<'_> {
@@ -159,13 +170,21 @@ impl Texture<'_> {
     }
 
     fn relief(&self, baked: Baked) -> Relief {
-        let mut shared = baked.values.clone();
+        let texels = baked.open.len();
+        let seen = chosen(&baked.values, &self.raised);
+        let mut rises = vec![vec![0.0; texels]; baked.values.len()];
+        for (layer, rise) in self.raised.iter().zip(self.rises(&seen)) {
+            rises[*layer] = rise;
+        }
+        let normals = baked.normals(&rises);
+        let mut shared = seen;
         shares(&mut shared);
-        let normals = baked.normals(&self.rises(&baked.values));
+        let is_flat = shared.is_empty();
+        let ground = self.surface.roughness.first().copied().unwrap_or(1.0) as f32;
         Relief {
             layers: shared.len(),
-            heights: self.surface.height(&shared),
-            roughness: self.surface.roughness(&shared),
+            heights: if is_flat { vec![0.0; texels] } else { self.surface.height(&shared) },
+            roughness: if is_flat { vec![ground; texels] } else { self.surface.roughness(&shared) },
             normals,
             values: baked.values,
             open: baked.open,
@@ -205,13 +224,12 @@ impl Relief {
         let texels = || self.open.iter().zip(&self.roughness);
         match map {
             Map::BaseColour => {
-                let channels = if set.transparent { 4 } else { 3 };
-                let colours = self.values[0].iter().map(|value| texture.colours.colour(*value));
-                fill(bytes, set.deep, colours.flat_map(|colour| colour.into_iter().take(channels)));
+                let colours =
+                    (0..self.open.len()).flat_map(|texel| texture.coat.light(&self.of_texel(texel)));
+                fill(bytes, set.deep, colours.map(|light| srgb_from_linear(f64::from(light)) as f32));
             }
-            Map::Opacity => {
-                fill(bytes, false, self.values[0].iter().map(|value| texture.colours.colour(*value)[3]));
-            }
+            // Models are opaque.
+            Map::Opacity => bytes.fill(u8::MAX),
             Map::Height => {
                 let normalised = |height: &f32| texture.surface.normalised(*height, self.layers);
                 fill(bytes, true, self.heights.iter().map(normalised));
@@ -227,16 +245,22 @@ impl Relief {
                 fill(bytes, false, texels().flat_map(|(open, rough)| [0.0, *open, 0.0, 1.0 - *rough]));
             }
             Map::Id => {
+                // Marks beneath keep their place.
                 let label = |texel: usize| {
-                    (0..self.layers)
-                        .rev()
-                        .find(|layer| self.values[*layer][texel] >= EDGE)
-                        .map_or(0, |k| k + 1)
+                    let mark = texture.raised.iter().find(|layer| self.values[**layer][texel] >= EDGE);
+                    mark.map_or(0, |layer| layer + 1)
                 };
                 let ids = (0..self.open.len()).flat_map(|texel| id_colour(label(texel) as u8));
                 bytes.iter_mut().zip(ids).for_each(|(out, id)| *out = id);
             }
         }
+    }
+}
+
+impl Relief {
+    /// The values of all layers in a texel.
+    fn of_texel(&self, texel: usize) -> Vec<f32> {
+        self.values.iter().map(|values| values[texel]).collect()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::attributes::Spots;
+use crate::attributes::{Attributes, Spots, Stripes};
 use crate::surface::{Surface, distances};
 use crate::synth::body::anchors::Anchor;
 
@@ -62,29 +62,61 @@ impl Influence {
 }
 
 /// What is wanted at each vertex; angles count from +x of the sketch. Lengths by the mean of their logarithms, directions by that of
-/// double angles, weighted by 1 − aspect.
+/// double angles, of spots weighted by 1 − aspect.
 #[must_use]
-pub fn wanted(anchors: &[Anchor], influence: &Influence, vertices: usize) -> Vec<Spots> {
-    let of =
-        |value: fn(&Spots) -> f64| anchors.iter().map(|anchor| value(&anchor.wanted)).collect::<Vec<f64>>();
-    let (areas, aspects) = (of(|spots| libm::log(spots.area)), of(|spots| spots.aspect));
-    let spacings = of(|spots| libm::log(spots.spacing.unwrap_or(1.0)));
-    let turned = |part: fn(f64) -> f64| -> Vec<f64> {
-        let of_anchor = |spots: &Spots| (1.0 - spots.aspect) * part(2.0 * spots.angle.to_radians());
-        anchors.iter().map(|anchor| of_anchor(&anchor.wanted)).collect()
+pub fn wanted(anchors: &[Anchor], influence: &Influence, vertices: usize) -> Vec<Attributes> {
+    let of = |value: &dyn Fn(&Attributes) -> f64| {
+        anchors.iter().map(|anchor| value(&anchor.wanted)).collect::<Vec<f64>>()
+    };
+    let sizes = of(&|wanted| {
+        libm::log(match wanted {
+            Attributes::Spots(spots) => spots.area,
+            Attributes::Stripes(stripes) => stripes.width,
+        })
+    });
+    let distances = of(&|wanted| wanted.distance().map_or(0.0, libm::log));
+    let aspects = of(&aspect);
+    let turned = |part: fn(f64) -> f64| {
+        let weight = |wanted: &Attributes| {
+            if matches!(wanted, Attributes::Spots(_)) { 1.0 - aspect(wanted) } else { 1.0 }
+        };
+        of(&|wanted| weight(wanted) * part(2.0 * wanted.angle().to_radians()))
     };
     let (cosines, sines) = (turned(libm::cos), turned(libm::sin));
+    let is_spots = anchors.first().is_none_or(|anchor| matches!(anchor.wanted, Attributes::Spots(_)));
+    let has_distance = anchors.iter().all(|anchor| anchor.wanted.distance().is_some());
     let at = |vertex: usize| {
         let mean = |of: &[f64]| influence.mean(vertex, of);
         let (x, y) = (mean(&cosines), mean(&sines));
         let angle = if x == 0.0 && y == 0.0 { 0.0 } else { 0.5 * libm::atan2(y, x).to_degrees() };
-        Spots {
-            area: libm::exp(mean(&areas)),
+        let (size, angle) = (libm::exp(mean(&sizes)), crate::marks::axial(angle));
+        let distance = has_distance.then(|| libm::exp(mean(&distances)));
+        if is_spots {
             // Weights are rounded: their sum can be above 1.
-            aspect: mean(&aspects).min(1.0),
-            angle: crate::marks::axial(angle),
-            spacing: Some(libm::exp(mean(&spacings))),
+            let aspect = mean(&aspects).min(1.0);
+            Attributes::Spots(Spots { area: size, aspect, angle, spacing: distance })
+        } else {
+            Attributes::Stripes(Stripes { width: size, angle, wavelength: distance })
         }
     };
     (0..vertices).into_par_iter().map(at).collect()
+}
+
+/// The aspect of spots; that of stripes counts as 0.
+#[must_use]
+pub fn aspect(wanted: &Attributes) -> f64 {
+    match wanted {
+        Attributes::Spots(spots) => spots.aspect,
+        Attributes::Stripes(_) => 0.0,
+    }
+}
+
+/// What is wanted, with another angle.
+#[must_use]
+pub fn turned(wanted: Attributes, angle: f64) -> Attributes {
+    let angle = crate::marks::axial(angle);
+    match wanted {
+        Attributes::Spots(spots) => Attributes::Spots(Spots { angle, ..spots }),
+        Attributes::Stripes(stripes) => Attributes::Stripes(Stripes { angle, ..stripes }),
+    }
 }

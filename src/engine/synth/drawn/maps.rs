@@ -1,4 +1,4 @@
-//! The maps of a layer → numbers at nodes over the canvas.
+//! Reads the maps of a layer as numbers at nodes over the canvas.
 
 use crate::attributes::AttributeMap;
 use crate::attributes::modulation::{Change, Modulated, ModulatedAttribute, Modulation};
@@ -8,17 +8,19 @@ use crate::grid::{Edges, Grid};
 use crate::photo::tone::{Frame, sampled};
 use crate::points::noise::Noise;
 
-/// Nodes along the longer side for what grows: a map finer than marks has no effect, and of 64 marks each has its node.
+/// Nodes along the longer side of maps that change what grows: a map finer than marks has no effect, and even of 64 marks in a row
+/// each has a node.
 const GROWN: usize = 64;
-/// Nodes along the longer side for colours, by a picture and by noise, which costs more and is smooth: between them colours are linear.
+/// Nodes along the longer side of colour maps, by a picture and by noise. Noise costs more and is smooth. Between nodes colours are
+/// linear.
 const PAINTED: [usize; 2] = [512, 256];
 /// The pattern at the edge of a mark.
 const EDGE: f32 = 0.5;
-/// Seeds of the maps of a layer lie so far apart; an odd number, so that none repeats (a multiplier of Steele and Vigna, "Computationally
-/// Easy, Spectrally Good Multipliers for Congruential Pseudorandom Number Generators", 2022).
+/// Difference between the seeds of the maps of a layer; an odd number, so that none repeats (a multiplier of Steele and Vigna,
+/// "Computationally Easy, Spectrally Good Multipliers for Congruential Pseudorandom Number Generators", 2022).
 const MAP_SEED: u64 = 0xD134_2543_DE82_EF95;
 
-/// `map`, of layer `index` on a canvas of `size` px, as the maps of the layer vary it.
+/// `map`, that of layer `index` on a canvas of `size` px, varied by the maps of the layer.
 #[must_use]
 pub fn modulated_by(document: &Document, index: usize, size: [f64; 2], map: AttributeMap) -> AttributeMap {
     match modulation(document, index, size) {
@@ -27,20 +29,15 @@ pub fn modulated_by(document: &Document, index: usize, size: [f64; 2], map: Attr
     }
 }
 
-/// How the maps of layer `index` vary what it asks for, on a canvas of `size` px; `None` without maps of what grows.
+/// The variation of the attributes of layer `index` by its maps, on a canvas of `size` px; `None` without maps of attributes.
 #[must_use]
 pub fn modulation(document: &Document, index: usize, size: [f64; 2]) -> Option<Modulation> {
     let maps = &document.layers.get(index)?.maps;
     let nodes = nodes(document.edges, size, GROWN);
     let attribute = |(key, map): (MapKey, &LayerMap)| {
-        let change = match map.change(key) {
-            MapChange::Replace => Change::Replace,
-            MapChange::Multiply => Change::Multiply,
-            MapChange::Add => Change::Add,
-        };
         Some(ModulatedAttribute {
             attribute: modulated(key)?,
-            change,
+            change: change(map, key),
             values: values(map, &nodes, document.layer_seed(index).wrapping_add(seed(key))),
         })
     };
@@ -48,8 +45,19 @@ pub fn modulation(document: &Document, index: usize, size: [f64; 2]) -> Option<M
     (!attributes.is_empty()).then_some(Modulation { nodes, attributes })
 }
 
+/// How a map of `key` changes what it varies.
+#[must_use]
+pub fn change(map: &LayerMap, key: MapKey) -> Change {
+    match map.change(key) {
+        MapChange::Replace => Change::Replace,
+        MapChange::Multiply => Change::Multiply,
+        MapChange::Add => Change::Add,
+    }
+}
+
 /// What a map of `key` varies of marks; `None` of colours and growth.
-fn modulated(key: MapKey) -> Option<Modulated> {
+#[must_use]
+pub fn modulated(key: MapKey) -> Option<Modulated> {
     match key {
         MapKey::Area => Some(Modulated::Area),
         MapKey::Spacing => Some(Modulated::Spacing),
@@ -60,7 +68,7 @@ fn modulated(key: MapKey) -> Option<Modulated> {
     }
 }
 
-/// How the places in the gradient of a layer vary over its canvas.
+/// The variation of the places in the gradient of a layer over its canvas.
 #[derive(Clone, Debug)]
 pub struct ColourMap {
     nodes: RegionGrid,
@@ -83,8 +91,8 @@ impl ColourMap {
 
     /// The pattern `value` at `point` (px of the canvas) as a place in the gradient, 0..1.
     ///
-    /// A shift moves the ends of the gradient, 0 of the ground and 1 of the marks, and a factor multiplies the distance from their edge, 0.5,
-    /// which stays where it is: marks keep the area that was asked for.
+    /// A shift moves the ends of the gradient: 0, of the ground, and 1, of the marks. A factor multiplies the distance from the
+    /// edge. The edge, 0.5, stays where it is: marks keep the area that was asked for.
     #[must_use]
     pub fn place(&self, value: f32, point: [f64; 2]) -> f32 {
         let corners = self.nodes.corners(point);
@@ -99,7 +107,8 @@ impl ColourMap {
     }
 }
 
-/// The growth G at each cell of `grid` that the map of layer `index` asks for, if it has one: it replaces the growth `usual`, or multiplies it.
+/// The parameter G at each cell of `grid` by the map of layer `index`, if it has one: the map replaces the value `usual`, or
+/// multiplies it.
 #[must_use]
 pub fn growth_by_map(document: &Document, index: usize, grid: &Grid, usual: f32) -> Option<Vec<f32>> {
     let map = document.layers.get(index)?.maps.get(MapKey::Growth)?;
@@ -112,7 +121,7 @@ pub fn growth_by_map(document: &Document, index: usize, grid: &Grid, usual: f32)
     Some(growth.map(|growth| growth.clamp(allowed.low, allowed.high) as f32).collect())
 }
 
-/// About square nodes over a canvas of `size` px, `most` along its longer side and at most one a px.
+/// Nearly square nodes over a canvas of `size` px, `most` along its longer side and at most one per px.
 pub(in crate::synth) fn nodes(edges: Edges, size: [f64; 2], most: usize) -> RegionGrid {
     let longer = size[0].max(size[1]);
     let most = (most as f64).min(longer);
@@ -121,7 +130,8 @@ pub(in crate::synth) fn nodes(edges: Edges, size: [f64; 2], most: usize) -> Regi
 }
 
 /// What is added to the seed of a layer for its map of `key`.
-fn seed(key: MapKey) -> u64 {
+#[must_use]
+pub fn seed(key: MapKey) -> u64 {
     (key as u64 + 1).wrapping_mul(MAP_SEED)
 }
 
@@ -140,11 +150,11 @@ fn values(map: &LayerMap, nodes: &RegionGrid, seed: u64) -> Vec<f64> {
     shares.into_iter().map(|share| low + f64::from(share) * (high - low)).collect()
 }
 
-/// Noise at nodes, 0..1: spread as that of one octave, which takes nearly all of that range, whatever the number of octaves.
+/// Noise at nodes, 0..1. With any number of octaves its spread is that of one octave, which takes nearly all of that range.
 fn noise(size: f64, octaves: u32, nodes: &RegionGrid, seed: u64) -> Vec<f32> {
     let cell = [0, 1].map(|axis| nodes.size[axis] / nodes.grid[axis] as f64);
     let grid = Grid { size: nodes.grid, cell, edges: nodes.edges };
-    // What is finer than nodes would only be more points.
+    // Noise finer than the nodes would only cost more points.
     let radius = size.max(grid.px_a_cell());
     let halvings = libm::log2(radius / grid.px_a_cell()).floor() as u32;
     let octaves = octaves.min(halvings + 1);
@@ -210,7 +220,7 @@ mod tests {
             assert!(modulation(&document, 0, [512.0, 512.0]).is_none());
             ColourMap::of(&document, 0, [512.0, 512.0]).expect("a map").place(value, [100.0, 100.0])
         };
-        // The ends move by the shift; halfway to the edge half of it is left.
+        // The ends move by the whole shift; halfway to the edge colours move by half of it.
         assert_eq!(
             [0.0, 0.25, 0.5, 0.75, 1.0].map(|value| place(false, 0.25, value)),
             [0.25, 0.375, 0.5, 0.875, 1.0]

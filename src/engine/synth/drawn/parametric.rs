@@ -1,4 +1,4 @@
-//! What is wanted on a parametric surface → what is wanted on the flat canvas.
+//! Attributes wanted on a parametric surface → attributes on the flat canvas.
 
 use std::f64::consts::TAU;
 
@@ -9,10 +9,11 @@ use crate::document::{After, Document, DocumentError, ParametricSurface, Problem
 use crate::grid::Edges;
 use crate::synth::drawn::maps::nodes;
 
-/// Nodes along the longer side: relief that is finer is averaged.
+/// Nodes along the longer side: finer relief is averaged.
 const NODES: usize = 128;
 
-/// `map`, on a canvas of `size` px, of marks that are wanted on the parametric surface of the document; the same map where it has none.
+/// The `map` of a canvas of `size` px, changed so that the marks on the parametric surface of the document get the attributes;
+/// unchanged for a document without such a surface.
 ///
 /// # Errors
 /// The surface is not known, or the canvas does not fit it.
@@ -106,7 +107,7 @@ mod tests {
     #[test]
     fn slopes_are_px_of_height_a_px_of_the_canvas_whatever_the_size_of_the_picture() {
         for side in [16, 64, 200] {
-            // From black to white along x: .5 px a px over 400 px.
+            // From black to white along x: 0.5 px of height per px over 400 px.
             let value = |i: usize| (i % side) as f32 / (side - 1) as f32;
             let heights = HeightField::new([side, side], (0..side * side).map(value).collect());
             let heights = heights.map(Arc::new).ok_or_else(String::new);

@@ -1,4 +1,4 @@
-//! Sketch targets: the strokes of a layer → its marks → the region map of what is wanted.
+//! Targets from the sketch: the strokes of a layer → its marks → the region map of wanted attributes.
 
 use crate::attributes::AttributeMap;
 use crate::document::layer_rules::{Beneath, Combination, mixed_marks};
@@ -8,7 +8,8 @@ use crate::document::{
 use crate::grid::{Bounds, Edges};
 use crate::marks::Mark;
 
-/// The marks of layer `index`, freehand strokes fitted. On a tile those whose centre is beyond it come back at the other side.
+/// The marks of layer `index`, with freehand strokes fitted. On a tile, marks whose centre is beyond the border are moved to the
+/// other side.
 ///
 /// # Errors
 /// A stroke that is neither ellipse nor line, ellipses and lines in one layer of other than cells, or a seamless canvas that is too
@@ -33,7 +34,7 @@ pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark
         }
         marks.push(mark.on_tile(&canvas));
     }
-    // What a freehand stroke is, is known only now.
+    // Freehand strokes have a kind only after they have been fitted.
     let kind = Kind::of_layer(marks.iter().map(Kind::from));
     let combination = Combination::new(layer, kind, Beneath::Unknown);
     match combination.problem_on_reading(&format!("layers[{index}]")) {
@@ -43,10 +44,10 @@ pub fn marks(document: &Document, index: usize, source: &str) -> Result<Vec<Mark
 }
 
 /// The region map of layer `index` on the document's own canvas, with the spread and the duty of its options. Lines beside ellipses
-/// have no part in it.
+/// are ignored.
 ///
 /// # Errors
-/// As [`marks`].
+/// Those of [`marks`].
 pub fn region_map(document: &Document, index: usize, source: &str) -> Result<AttributeMap, DocumentError> {
     let mut marks = marks(document, index, source)?;
     let kind = Kind::of_layer(marks.iter().map(Kind::from));
@@ -66,14 +67,14 @@ pub fn region_map(document: &Document, index: usize, source: &str) -> Result<Att
     };
     let any_wavelength = layer.system.is_known(|system| system.is_striped() && system.free_spacing);
     let natural_wavelength = layer.system.is_known(|system| system.is_striped() && !system.free_spacing);
-    // Of lines along curves only the width counts.
+    // For lines along curves only the width is used.
     let along_curves = matches!(layer.after, After::Around | After::Net) && !map.is_free();
     let given = layer.options.duty.given().or(along_curves.then_some(LayerOptions::DUTY));
-    // Stripes whose duty a map varies have a period, whatever is drawn.
+    // If a map varies the duty of stripes, they have a period, whatever is drawn.
     let varied = layer.maps.get(MapKey::Duty).is_some();
     let map = if let Some(duty) = given { map.with_duty(duty) } else { map };
     let usual = match given {
-        // A duty that is given to regions is taken to the letter.
+        // With regions, a given duty is used exactly.
         Some(duty) if !map.is_free() => duty == LayerOptions::DUTY,
         _ => map.has_usual_duty(),
     };
@@ -81,11 +82,11 @@ pub fn region_map(document: &Document, index: usize, source: &str) -> Result<Att
     Ok(if natural { map.with_free_wavelength() } else { map })
 }
 
-/// The marks of layer `index` on a canvas of `size` px: their places stretch with the canvas, their sizes do not. A centre beyond the
-/// border stays as far from it as it is, so that what of the mark is on the canvas stays there.
+/// The marks of layer `index` on a canvas of `size` px: their places stretch with the canvas, their sizes do not. A centre beyond
+/// the border keeps its distance from it, so that the part of the mark on the canvas remains.
 ///
 /// # Errors
-/// As [`marks`].
+/// Those of [`marks`].
 pub fn marks_on(
     document: &Document,
     index: usize,
@@ -93,7 +94,7 @@ pub fn marks_on(
     size: [f64; 2],
 ) -> Result<Vec<Mark>, DocumentError> {
     let [x, y] = [0, 1].map(|axis| size[axis] / f64::from(document.size[axis]));
-    // They have come back to a tile, whose far border is not its near one here.
+    // On a tile the marks have been moved inside already, and its far border is not the near one on this canvas.
     let own = Bounds { size: document.size.map(f64::from), edges: Edges::Closed };
     let moved = |mark: Mark| {
         let [from_x, from_y] = own.inside(mark.center());

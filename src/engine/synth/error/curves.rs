@@ -1,6 +1,6 @@
-//! Why there is no room for rings or a web.
+//! Reasons why there is no room for rings or a web.
 
-/// Why lines have no curves to run along.
+/// The reason why lines have no curves to follow.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CurvesError {
     /// Nothing has grown beneath, or nothing that is shown.
@@ -22,12 +22,12 @@ pub enum CurvesError {
         /// Share of the outlines with less, 0..1.
         share: f64,
     },
-    /// There is only one mark: a web runs between two.
+    /// There is only one mark: a web runs between at least two.
     #[error(
         "one mark beneath it on a closed canvas: a web needs two marks or more; draw those beneath smaller or closer"
     )]
     Single,
-    /// Marks from border to border cut the web. How many parts.
+    /// Marks that reach from border to border cut the web into this number of parts.
     #[error(
         "the marks beneath cut the web into {0} parts: leave gaps between the marks, as a web must be connected"
     )]

@@ -1,4 +1,4 @@
-//! Why a document does not grow.
+//! Reasons why a document does not grow.
 
 mod curves;
 mod layer;
@@ -16,26 +16,26 @@ use std::fmt;
 use crate::document::DocumentError;
 use crate::synth::watch::Cancelled;
 
-/// Why a document was not grown. Whatever it is, but that it was cancelled, the message names the file and the place in it.
+/// The reason why a document was not grown. Every message except that of a cancellation names the file and the place in it.
 #[derive(Debug)]
 pub enum GrowError {
     /// The document is not valid.
     Document(DocumentError),
     /// One of its layers does not grow.
     Layer {
-        /// What messages call the document, such as its path.
+        /// The name of the document in messages, such as its path.
         file: String,
         /// 1 = the lowest.
         layer: usize,
         /// Why.
         reason: Box<LayerError>,
     },
-    /// It was cancelled.
+    /// The growth was cancelled.
     Cancelled(Cancelled),
 }
 
 impl GrowError {
-    /// Whether it depends on what grows: no plan shows it.
+    /// Whether the error depends on the growth, so that no plan shows it.
     #[must_use]
     pub fn is_shown_by_growing(&self) -> bool {
         matches!(self, Self::Layer { reason, .. } if reason.is_shown_by_growing())
@@ -56,7 +56,7 @@ impl Error for GrowError {
     fn source(&self) -> Option<&(dyn Error + 'static)> {
         match self {
             Self::Document(error) => error.source(),
-            // The message has the reason already.
+            // The message contains the reason already.
             Self::Layer { reason, .. } => match &**reason {
                 LayerError::Plan(error) => error.source(),
                 _ => None,

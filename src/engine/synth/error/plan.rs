@@ -1,15 +1,15 @@
-//! Why a layer cannot be planned.
+//! The reasons why a layer cannot be planned.
 
 use crate::learn::{AskError, TrainingError};
 use crate::synth::error::curves::CurvesError;
 
-/// Why parameters could not be looked up.
+/// The reason why parameters could not be looked up.
 #[derive(Debug, thiserror::Error)]
 pub enum PlanError {
     /// A training set could not be read.
     #[error(transparent)]
     Training(#[from] TrainingError),
-    /// A question that no training set answers.
+    /// No training set answers the question.
     #[error(transparent)]
     Ask(#[from] AskError),
     /// A system whose parameters follow from laws.
@@ -20,10 +20,10 @@ pub enum PlanError {
     },
 }
 
-/// Why a layer could not be laid out among the marks of the layers beneath.
+/// The reason why a layer could not be laid out among the marks of the layers beneath.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum LayOutError {
-    /// None of its marks fits between those of the layers beneath.
+    /// None of the layer's marks fits between the marks of the layers beneath.
     #[error("no room between the marks of the layers beneath")]
     NoRoom,
     /// Its lines find no room, or no marks to run around.

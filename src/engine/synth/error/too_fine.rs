@@ -1,11 +1,11 @@
-//! Why a pattern is too fine for its model.
+//! The reason why a pattern is too fine for its model.
 
 use crate::synth::time::in_words;
 
-/// A growth on a model that needs too much.
+/// A growth on a model needs too much time or memory.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum TooFine {
-    /// It does not fit into memory.
+    /// The pattern does not fit into memory.
     #[error(
         "about {vertices:.0} vertices need about {:.1} GB of memory, {:.1} GB are free; make \"px\" of the model less, or draw larger \
          marks",
@@ -19,7 +19,7 @@ pub enum TooFine {
         /// Bytes free.
         free: f64,
     },
-    /// It takes too long.
+    /// The pattern takes too long.
     #[error(
         "about {vertices:.0} vertices take {} of one core, such a surface may take {}; make \"px\" of the model less, draw larger marks, \
          or allow more with --minutes {}",

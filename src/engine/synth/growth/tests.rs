@@ -54,7 +54,7 @@ fn documents() -> Vec<(String, Document)> {
     layers.into_iter().map(document).collect()
 }
 
-/// The patterns and the report of a document that is grown in parts of this budget.
+/// The patterns and the report of a document that is grown in parts of this budget; `looks`: its pictures are read in between.
 fn grown(document: &Document, budget: u64, looks: bool) -> (Vec<Vec<u32>>, String) {
     let mut growth = Growth::begin(document, &Options::default(), None);
     while growth.advance(budget).unwrap_or_else(|error| panic!("{error}")) != Progress::Done {
@@ -71,7 +71,7 @@ fn grown(document: &Document, budget: u64, looks: bool) -> (Vec<Vec<u32>>, Strin
 }
 
 #[test]
-fn what_grows_does_not_depend_on_the_budgets_nor_on_whether_it_is_looked_at() {
+fn a_growth_does_not_depend_on_its_budgets_nor_on_whether_it_is_read() {
     for (name, document) in documents() {
         let whole = grown(&document, u64::MAX, false);
         assert!(grown(&document, 1, false) == whole, "{name} in parts of 1");
@@ -81,7 +81,7 @@ fn what_grows_does_not_depend_on_the_budgets_nor_on_whether_it_is_looked_at() {
 }
 
 #[test]
-fn a_film_of_a_growth_ends_with_what_grows_without_one() {
+fn a_filmed_growth_ends_like_an_unfilmed_one() {
     for (name, document) in documents() {
         let (whole, _) = grown(&document, u64::MAX, false);
         let mut growth = Growth::begin(&document, &Options::default(), None).filmed();

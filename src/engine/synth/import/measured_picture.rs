@@ -1,6 +1,6 @@
-//! A picture → what it shows: spots or stripes, their attributes, and why it shows neither.
+//! Measures a picture: whether it shows spots or stripes, their attributes, and the reason if it shows neither.
 //!
-//! Measuring and importing read pictures with this: both find the same numbers.
+//! Both measuring and importing use this room, so that they find equal numbers.
 
 use std::borrow::Cow;
 use std::io::{BufRead, Seek};
@@ -16,10 +16,10 @@ use crate::photo::{self, Corners, Crop, Limits, Neither, Raster, Reading, Segmen
 use crate::synth::memory;
 use crate::synth::pattern::EDGE;
 
-/// Why a picture could not be read.
+/// The reason why a picture could not be read.
 #[derive(Debug, thiserror::Error)]
 pub enum MeasureError {
-    /// It cannot be read.
+    /// The file cannot be read.
     #[error("{path}: cannot be read as a picture: {}", one_line(source))]
     Unreadable {
         /// The file.
@@ -55,7 +55,7 @@ pub enum MeasureError {
         /// Width and height of the picture, px.
         size: [usize; 2],
     },
-    /// The corners are those of no part of it.
+    /// The corners do not enclose a part of the picture.
     #[error(
         "{path}: --corners: allowed: four corners inside of its {}×{} px that bulge outwards, from the upper left one clockwise",
         size[0], size[1]
@@ -76,7 +76,7 @@ pub enum MeasureError {
         /// Their difference.
         contrast: f64,
     },
-    /// The picture has contrast but no marks, or marks that are no texture.
+    /// The picture has contrast but no marks, or marks that do not form a texture.
     #[error("{path}: neither spots nor stripes: {reason}{}", remedy(reason))]
     Neither {
         /// The file.
@@ -86,7 +86,7 @@ pub enum MeasureError {
     },
 }
 
-/// What may help against a reason.
+/// A remedy that may help against a reason.
 fn remedy(reason: &Neither) -> &'static str {
     match reason {
         Neither::Noise | Neither::Shapes { .. } | Neither::NoDirection { .. } => {
@@ -99,18 +99,18 @@ fn remedy(reason: &Neither) -> &'static str {
     }
 }
 
-/// What part of a picture is read, and what in it are the marks.
+/// The part of a picture that is read, and which of its colours are the marks.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Framing {
-    /// The phase that covers more is the marks.
+    /// Whether the colour that covers more is the marks.
     pub invert: bool,
     /// The part that is read; `None` = all.
     pub crop: Option<Crop>,
-    /// Four corners of a flat thing in the picture (before it is cropped), which are pulled to a rectangle.
+    /// Four corners of a flat object in the picture (before it is cropped), which are mapped to a rectangle.
     pub corners: Option<Corners>,
-    /// What counts as a mark.
+    /// Limits for the size of marks.
     pub limits: Limits,
-    /// It is no pattern that dapple has written, whatever it looks like.
+    /// Whether it is read as an ordinary picture even if it looks like a pattern of dapple.
     pub no_pattern: bool,
 }
 
@@ -119,24 +119,24 @@ pub struct Framing {
 pub struct OpenedPicture {
     /// Its px.
     pub raster: Raster,
-    /// What it was painted with, where it says so.
+    /// The gradient that it was painted with, if it states it.
     gradient: Option<Gradient>,
-    /// The pattern that it is.
+    /// The pattern that it holds, if it is one.
     pattern: Option<Tones>,
-    /// Whether dapple has written it, as its document says.
+    /// Whether dapple wrote it, by the document in it.
     is_ours: bool,
-    /// What was done to it, in words.
+    /// Notes on the conversion.
     notes: Vec<String>,
 }
 
-/// A picture in which marks and ground were told apart.
+/// A picture in which marks and ground have been separated.
 #[derive(Clone, Debug)]
 pub struct SegmentedPicture {
     /// Width and height of what was read, px.
     pub size: [usize; 2],
-    /// px an inch, where the file says it.
+    /// px an inch, if the file states it.
     pub dpi: Option<f64>,
-    /// What is to be said of how it was read.
+    /// Notes on how it was read.
     pub notes: Vec<String>,
     segmentation: Segmentation,
 }
@@ -146,24 +146,24 @@ pub struct SegmentedPicture {
 pub struct ReadPicture {
     /// Width and height of what was read, px.
     pub size: [usize; 2],
-    /// px an inch, where the file says it.
+    /// px an inch, if the file states it.
     pub dpi: Option<f64>,
-    /// What it shows.
+    /// The content of the picture.
     pub reading: Reading,
-    /// What is to be said of how it was read: a range that was stretched, a picture that is taken for a pattern.
+    /// Notes on how it was read: a range that was stretched, a picture that is taken for a pattern.
     pub notes: Vec<String>,
 }
 
-/// What was measured in a picture.
+/// Measurements of a picture.
 #[derive(Clone, Debug)]
 pub struct MeasuredPicture {
     /// Its marks.
     pub picture: Picture,
-    /// What was found on the picture beside its marks, see [`ReadPicture::notes`].
+    /// Notes on how it was read, see [`ReadPicture::notes`].
     pub notes: Vec<String>,
 }
 
-/// Most bytes a px in memory while a picture is decoded and turned. Measured on a JPEG of 24 Mpx: 6.
+/// Most bytes per px in memory while a picture is decoded and rotated. Measured for a JPEG of 24 Mpx: 6.
 const BYTES_PER_PX: f64 = 16.0;
 
 /// The decoder's message on one line: some end with a line break or quote control characters of the file.
@@ -172,8 +172,8 @@ fn one_line(error: &photo::PictureError) -> String {
     error.to_string().trim_end().chars().map(shown).collect()
 }
 
-/// Measures the marks in the part of a picture that `framing` names. Messages call it `path`; at most `free` bytes of memory may be used,
-/// here and in all that follows.
+/// Measures the marks in the part of a picture that `framing` names. Messages call it `path`. At most `free` bytes of memory may be
+/// used, here and in all later steps.
 ///
 /// # Errors
 /// It cannot be read as a picture, or has neither spots nor stripes.
@@ -188,7 +188,7 @@ pub fn measure_stream(
     Ok(MeasuredPicture { picture: picture.with_raggedness(&segmentation.field, segmentation.level), notes })
 }
 
-/// Measures the patches in a picture, whose outlines may be of any shape, in the part that `framing` names.
+/// Measures the patches in a picture, with outlines of any shape, in the part that `framing` names.
 ///
 /// # Errors
 /// It cannot be read as a picture, has too little contrast, or no patch is whole.
@@ -236,7 +236,7 @@ pub fn read_stream(
     framing: &Framing,
     free: Option<f64>,
 ) -> Result<ReadPicture, MeasureError> {
-    // It always goes on.
+    // This call is never cancelled.
     let segmented = open_stream(stream, path, free)?.segmented(path, framing, &|_| true)?;
     let Some(segmented) = segmented else { return Err(neither(path, Neither::Noise)) };
     segmented.read(path, &framing.limits)
@@ -269,8 +269,8 @@ pub fn open_stream(
 }
 
 impl OpenedPicture {
-    /// Tells marks and ground apart in the part that is read. Between its steps it asks `goes_on`, with the share that is done;
-    /// `None` where it shall not go on. [`Framing::limits`] do not matter.
+    /// Separates marks and ground in the part that is read. Between its steps it calls `goes_on` with the share that is done; the
+    /// result is `None` if that returns false. [`Framing::limits`] are not used.
     ///
     /// # Errors
     /// The part is not in the picture.
@@ -293,7 +293,7 @@ impl OpenedPicture {
         });
         let segmentation = match pattern {
             Some(Tones { field, level }) => {
-                let Tones { field, level } = smaller_phase(field, level, framing.invert);
+                let Tones { field, level } = with_smaller_marks(field, level, framing.invert);
                 Some(photo::known(field, level, Some(&raster)))
             }
             None => photo::segment(&raster, framing.invert, goes_on),
@@ -343,7 +343,7 @@ fn neither(path: &Path, reason: Neither) -> MeasureError {
     }
 }
 
-/// A picture as numbers 0..1, and the value at the marks' edges.
+/// A picture as numbers 0..1, and the threshold at the marks' edges.
 #[derive(Clone, Debug)]
 struct Tones {
     field: Field,
@@ -354,14 +354,14 @@ fn on_px([width, height]: [usize; 2], values: Vec<f32>) -> Field {
     Field { width, height, cell: [1.0, 1.0], edges: Edges::Closed, values }
 }
 
-/// What is said of a pattern whose file does not say that dapple wrote it.
+/// The note on a pattern whose file does not state that dapple wrote it.
 const AS_PATTERN: &str = "gray of 16 bits from black to white was read as a pattern of dapple, with edges at half of white; with --no-pattern as any other picture";
 /// Ground and the middle of marks of a pattern.
 const BLACK: f32 = 0.1;
 const WHITE: f32 = 0.9;
 
-/// The pattern in a 16-bit gray picture, as `grow --pattern` writes: its edges are at 0.5. `None` of other pictures, and of those that are
-/// not known to be dapple's and do not reach from black to white.
+/// The pattern in a 16-bit gray picture, as `grow --pattern` writes it, with edges at 0.5. `None` for other pictures, and for
+/// pictures that are not known to be dapple's and do not reach from black to white.
 fn pattern_of_gray(image: &DynamicImage, is_ours: bool) -> Option<Tones> {
     let DynamicImage::ImageLuma16(pattern) = image else { return None };
     let size = [pattern.width() as usize, pattern.height() as usize];
@@ -374,25 +374,25 @@ fn pattern_of_gray(image: &DynamicImage, is_ours: bool) -> Option<Tones> {
     Some(Tones { field, level })
 }
 
-/// The pattern values that the colours of a picture stand for, where it was painted with `gradient`.
+/// The pattern values for the colours of a picture that was painted with `gradient`.
 fn pattern_of_colours(raster: &Raster, gradient: &Gradient) -> Option<Tones> {
     let field = on_px(raster.size, gradient.pattern_of(&raster.rgb)?);
     let [low, high] = span(&field)?;
     (low < EDGE && high > EDGE).then_some(Tones { field, level: EDGE })
 }
 
-/// Less difference than this is no pattern.
+/// A smaller range of values than this is not a pattern.
 const MIN_SPAN: f32 = 0.05;
 
-/// The lowest and the highest value; `None` where they hardly differ.
+/// The lowest and the highest value; `None` if they hardly differ.
 fn span(field: &Field) -> Option<[f32; 2]> {
     let low = field.values.iter().copied().fold(1.0, f32::min);
     let high = field.values.iter().copied().fold(0.0, f32::max);
     (high - low >= MIN_SPAN).then_some([low, high])
 }
 
-/// Upside down where the marks would be the phase that covers more, or the other one if `invert`.
-fn smaller_phase(mut field: Field, level: f32, invert: bool) -> Tones {
+/// Inverts the values if otherwise the marks would cover more than the ground; with `invert`, if they would cover less.
+fn with_smaller_marks(mut field: Field, level: f32, invert: bool) -> Tones {
     let above = field.values.iter().filter(|value| **value > level).count();
     let light = 2 * above <= field.values.len();
     if light != invert {
@@ -402,7 +402,7 @@ fn smaller_phase(mut field: Field, level: f32, invert: bool) -> Tones {
     Tones { field, level: 1.0 - level }
 }
 
-/// The document in a PNG. One that cannot be read is none: what is measured is the picture.
+/// The document in a PNG; `None` if it cannot be read: the picture is measured without it.
 fn document_in(stream: &mut (impl BufRead + Seek)) -> Option<Document> {
     stream.rewind().ok()?;
     let (document, _) = embedded::in_stream(stream, "").ok()??;

@@ -1,4 +1,4 @@
-//! What others drew, painted and photographed → documents, measured marks, tones.
+//! Imports drawings, paintings and photographs: as documents, as measured marks, or as tones.
 //!
 //! Everything here reads bytes or a stream; names and paths are for messages.
 

@@ -1,4 +1,4 @@
-//! Photograph → a document whose sketch has its marks, regions and colours.
+//! Makes a document from a photograph, with its marks, regions and colours.
 
 use std::io::{BufRead, Seek};
 use std::path::{Path, PathBuf};
@@ -14,13 +14,13 @@ use crate::synth::import::measured_picture::{Framing, MeasureError, ReadPicture,
 use crate::synth::import::svg::stroke;
 use crate::synth::marks::plan::raggedness::sigma_of;
 
-/// Why a photograph did not become a document.
+/// The reason why a photograph did not become a document.
 #[derive(Debug, thiserror::Error)]
 pub enum PhotoImportError {
-    /// It cannot be read, or shows neither spots nor stripes.
+    /// The picture cannot be read, or shows neither spots nor stripes.
     #[error(transparent)]
     Picture(#[from] MeasureError),
-    /// It shows marks that are no texture, which can be taken all the same.
+    /// The picture shows marks that do not form a texture; they can be taken nevertheless.
     #[error("{0}; or take what was found with --take-it")]
     Neither(MeasureError),
     /// The photograph has more px than a document.
@@ -42,14 +42,14 @@ pub enum PhotoImportError {
     Document(#[from] DocumentError),
 }
 
-/// What is wanted of a photograph.
+/// Options for a photograph.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PhotoOptions {
-    /// What part of it is read, and what the marks are.
+    /// The part of it that is read, and which colours are the marks.
     pub framing: Framing,
     /// Regions and layers.
     pub wanted: Wanted,
-    /// Take what was found although it is no texture.
+    /// Whether the marks are taken even if they do not form a texture.
     pub take_it: bool,
 }
 
@@ -60,13 +60,13 @@ pub struct ImportedPhoto {
     pub document: Document,
     /// `spots` or `stripes`.
     pub kind: &'static str,
-    /// Marks that were found, by layer; the document has fewer, which stand for them.
+    /// Number of marks that were found, by layer; the document has fewer, which represent them.
     pub found: Vec<usize>,
     /// The area between the sizes of spots of two layers, px².
     pub between: Option<f64>,
-    /// Why it is no texture, where it was taken all the same.
+    /// The reason why it is not a texture, if its marks were taken nevertheless.
     pub neither: Option<Neither>,
-    /// What is to be said of how it was read.
+    /// Notes on how it was read.
     pub notes: Vec<String>,
     /// A summary, such as `spots: 114 found, 21 drawn in 1 layer and 3 × 1 regions on 768 × 288 px`.
     pub summary: String,
@@ -88,7 +88,7 @@ pub fn import_photo(
     import_read(&read, path, &options.wanted)
 }
 
-/// Makes a document of what was read in the photograph `path`, even if it is no texture.
+/// Makes a document from the marks that were read in the photograph `path`, even if they do not form a texture.
 ///
 /// # Errors
 /// [`PhotoImportError`].
@@ -133,7 +133,7 @@ fn document(
     Ok((document, found, sketch.between))
 }
 
-/// Names the system of spots that are denser than spots of reaction and diffusion grow, where the few that are drawn do not show it.
+/// Sets the system of layers whose spots are too dense for reaction and diffusion, if the few drawn spots do not show the density.
 fn name_dense(document: &mut Document, reading: &Reading) {
     let Picture::Spots { .. } = reading.picture else { return };
     if document.layers.len() == 1 && reading.ink() > DENSE && document.areas(0).is_none() {
@@ -149,7 +149,7 @@ fn layer(found: &FoundLayer, size: [u32; 2]) -> Layer {
     Layer { name: found.name.to_owned(), strokes, colours, options, ..Layer::default() }
 }
 
-/// How ragged marks are to be: those that were found, and the nearest that is allowed where they are more so.
+/// The raggedness that marks are to have: that of the marks that were found, limited to the allowed range.
 fn ragged(found: &FoundLayer) -> RaggedChoice {
     let ellipses = found.marks.iter().filter_map(|mark| match mark {
         Mark::Ellipse(ellipse) => Some(*ellipse),
@@ -161,7 +161,7 @@ fn ragged(found: &FoundLayer) -> RaggedChoice {
     RaggedChoice::Given((100.0 * sigma).round() / 100.0)
 }
 
-/// What was found, in words.
+/// The marks that were found, in words.
 fn summary(document: &Document, kind: &str, found: &[usize], neither: Option<Neither>) -> String {
     let drawn: usize = document.layers.iter().map(|layer| layer.strokes.len()).sum();
     let layers = if document.layers.len() == 1 { "layer" } else { "layers" };

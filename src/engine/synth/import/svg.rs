@@ -1,4 +1,4 @@
-//! SVG → a document with the marks that are drawn in it.
+//! Makes a document from the marks in an SVG.
 
 use crate::document::{Colours, Document, Kind, Layer, Outline, Stop, Stroke, limits};
 use crate::marks::{self, Ellipse, Line, Mark};
@@ -9,7 +9,7 @@ use std::path::Path;
 
 pub use crate::sketch::svg::DPI;
 
-/// Why an SVG did not become a document.
+/// The reason why an SVG did not become a document.
 #[derive(Debug, thiserror::Error)]
 pub enum ImportError {
     /// The file could not be read.
@@ -17,7 +17,7 @@ pub enum ImportError {
     Unreadable {
         /// The file.
         file: String,
-        /// Why.
+        /// The reason.
         source: std::io::Error,
     },
     /// The file is not an SVG.
@@ -25,15 +25,15 @@ pub enum ImportError {
     Svg {
         /// The file.
         file: String,
-        /// What is wrong with it.
+        /// The reason.
         source: SvgError,
     },
-    /// It is something else.
+    /// The file is of another kind.
     #[error("{file}: it is {what}; allowed: an SVG, or a photograph (JPEG, PNG, WebP, TIFF, BMP, GIF); {remedy}", what = found.what, remedy = found.remedy)]
     Foreign {
         /// The file.
         file: String,
-        /// What it is.
+        /// The kind of file.
         found: Foreign,
     },
     /// Its canvas is too large.
@@ -44,14 +44,14 @@ pub enum ImportError {
         /// Width × height.
         found: String,
     },
-    /// It holds no marks.
+    /// The file holds no marks.
     #[error(
         "{file}: holds no marks{unread}; allowed: ellipses, circles, lines, rectangles and paths on its canvas"
     )]
     Nothing {
         /// The file.
         file: String,
-        /// What else it holds, in words.
+        /// Other contents of the file, in words.
         unread: String,
     },
     /// The drawing has more groups than a document has layers.
@@ -71,13 +71,13 @@ pub struct Imported {
     pub document: Document,
     /// A summary, such as `3 marks in 1 layers on 200 × 100 px; not read: 1 × text`.
     pub summary: String,
-    /// What was not read.
+    /// Contents that were not read.
     pub unread: Unread,
-    /// The colour of what covers the canvas, sRGB.
+    /// The colour of the shape that covers the canvas, sRGB.
     pub ground: Option<[u8; 3]>,
 }
 
-/// Counts of what an SVG holds that is no mark, by kind.
+/// Counts of the contents of an SVG that are no marks, by kind.
 pub type Unread = BTreeMap<&'static str, usize>;
 
 /// In words, such as `; not read: 2 × text`.
@@ -102,13 +102,13 @@ fn drawing(bytes: &[u8], dpi: Option<f64>, file: &str) -> Result<Drawing, Import
     svg::read(bytes, dpi).map_err(|source| ImportError::Svg { file: file.to_owned(), source })
 }
 
-/// Bytes in which a drawing begins.
+/// Number of first bytes of a file that are searched for the start of a drawing.
 pub const START: u64 = 256;
 
-/// Whether a file that begins with these bytes is a drawing: by the `<`, with which no picture of px begins, or as compressed data.
+/// Whether a file that begins with these bytes is a drawing: it begins with `<`, as no picture of px does, or is compressed.
 #[must_use]
 pub fn begins_a_drawing(start: &[u8]) -> bool {
-    // Behind the mark of UTF-8 or UTF-16, and spaces; in UTF-16 a zero stands before or after it.
+    // The `<` may follow the byte order mark of UTF-8 or UTF-16, and spaces; in UTF-16 a zero precedes or follows it.
     let start = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(start);
     let wide = [&b"\xff\xfe"[..], b"\xfe\xff"].into_iter().find_map(|mark| start.strip_prefix(mark));
     let start = wide.unwrap_or(start);
@@ -116,10 +116,11 @@ pub fn begins_a_drawing(start: &[u8]) -> bool {
     start.trim_ascii_start().first() == Some(&b'<') || svg::is_compressed(start)
 }
 
-/// Pattern values of ground and marks: the edge lies at ½, and a passage so narrow paints sharp edges.
+/// Pattern values of ground and marks: the edge is at ½, and the narrow transition paints sharp edges.
 const STOPS: [f64; 4] = [0.0, 0.41, 0.59, 1.0];
 
-/// The colours of a layer whose marks have these; `None` where the drawing says nothing of colours: black marks without a ground.
+/// The colours of a layer whose marks have these colours; `None` if the drawing has black marks without a ground, and so gives no
+/// colours.
 fn colours(ground: Option<[u8; 3]>, marks: &[[u8; 3]]) -> Option<Colours> {
     let mark = svg::commonest(marks)?;
     let paper = ground.unwrap_or([u8::MAX; 3]);
@@ -128,7 +129,7 @@ fn colours(ground: Option<[u8; 3]>, marks: &[[u8; 3]]) -> Option<Colours> {
 }
 
 impl Imported {
-    /// Reads the SVG in `bytes` as a document with `dpi` px an inch (`None` = as many as it says), named like `file`.
+    /// Reads the SVG in `bytes` as a document with `dpi` px an inch (`None` = the number in the SVG), named like `file`.
     ///
     /// # Errors
     /// [`ImportError`].
@@ -148,7 +149,7 @@ impl Imported {
 }
 
 fn document(mut drawing: Drawing, file: &str) -> Result<(Document, Unread), ImportError> {
-    // Rounding errors above whole px are cut: lengths in mm have three digits behind the point.
+    // Excesses over whole px from rounding are cut off: lengths in mm have three decimal digits.
     let sides = drawing.size.map(|side| (side - 0.02).ceil().max(1.0));
     if sides.iter().any(|side| *side > limits::MAX_SIDE as f64) {
         let found = format!("{:.0} × {:.0}", sides[0], sides[1]);
@@ -205,7 +206,7 @@ fn document(mut drawing: Drawing, file: &str) -> Result<(Document, Unread), Impo
     Ok((document, unread))
 }
 
-/// A mark as a stroke within the limits of documents; `None` where it lies off the canvas.
+/// The stroke for a mark, within the limits of documents; `None` if the mark lies outside the canvas.
 pub(super) fn stroke(mark: &Mark, size: [u32; 2]) -> Option<Stroke> {
     let thickness = limits::Range::thickness(size);
     let thick = |length: f64| rounded(length).clamp(thickness.low, thickness.high);
@@ -249,7 +250,7 @@ fn with_outline(stroke: Stroke, corners: Vec<[f64; 2]>, size: [u32; 2]) -> Strok
     }
 }
 
-/// Rounds to a thousandth of a px: numbers in an SVG are no finer.
+/// Rounds to a thousandth of a px; finer digits in an SVG have no meaning.
 fn rounded(number: f64) -> f64 {
     (number * 1000.0).round() / 1000.0
 }

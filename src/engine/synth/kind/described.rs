@@ -1,17 +1,17 @@
-//! What `check` says of a plan.
+//! The output of `check` for a plan.
 
 use serde_json::{Map, Value};
 
 use crate::attributes::Attributes;
 
-/// What would grow on a layer.
+/// A description of a layer that would grow.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Described {
-    /// For people: lines, each with its end.
+    /// Text for people: lines, each with a line break.
     pub text: String,
-    /// What the user should know, as sentences.
+    /// Notes for the user, as sentences.
     pub notes: Vec<String>,
-    /// What is particular to the kind of layer, for programs: keys and values in their order.
+    /// The particulars of this kind of layer, for programs: keys and values in their order.
     pub json: Map<String, Value>,
 }
 
@@ -24,7 +24,7 @@ impl Described {
     }
 }
 
-/// Attributes in words; of lines along curves (`bent`) the width alone.
+/// Attributes in words; for lines along curves (`bent`) the width alone.
 #[must_use]
 pub fn in_words(wanted: &Attributes, bent: bool) -> String {
     match wanted {

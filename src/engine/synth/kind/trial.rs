@@ -1,16 +1,16 @@
-//! The time of a growth, measured on a part of it.
+//! The time of a growth, measured for a part of it.
 
 use crate::synth::kind::Previewed;
 
 /// The work of a growth.
 pub enum Work {
-    /// About so many seconds, by a law: nothing of it can be timed before all of it is done.
+    /// Approximate time in seconds, by a law: no part of the work can be timed by itself.
     Seconds(f64),
-    /// So many units of work.
+    /// Work in units.
     Units {
-        /// How many.
+        /// Number of units.
         units: f64,
-        /// Does some of them; returns how many.
+        /// Does some of the units; returns their number.
         part: Box<dyn FnMut() -> f64>,
     },
 }
@@ -19,6 +19,6 @@ pub enum Work {
 pub struct Trial {
     /// Its work.
     pub work: Work,
-    /// How it looks at first.
+    /// Its first picture.
     pub look: Box<dyn Previewed>,
 }

@@ -1,4 +1,4 @@
-//! What `check` says of a layer of streaks or cracks.
+//! The output of `check` for a layer of streaks or cracks.
 
 use std::fmt::Write;
 
@@ -8,7 +8,7 @@ use crate::document::LineKind;
 use crate::synth::kind::{Described, Request};
 use crate::synth::lines::plan::LinePlan;
 
-/// What lines would grow, and what was asked of each region.
+/// A description of the lines that would grow, and of what was asked of each region.
 pub(super) fn described(plan: &LinePlan, request: &Request, mut notes: Vec<String>) -> Described {
     notes.extend(plan.notes.iter().cloned());
     let layout = plan.map.layout();
@@ -23,7 +23,7 @@ pub(super) fn described(plan: &LinePlan, request: &Request, mut notes: Vec<Strin
     Described::new(reach(plan, request.index), notes, json)
 }
 
-/// What of the sketch decides what grows.
+/// The attributes of the sketch that the growth follows.
 fn honoured(kind: LineKind) -> &'static [&'static str] {
     match kind {
         LineKind::Streaks => &["width", "wavelength", "angle"],

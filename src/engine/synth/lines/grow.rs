@@ -1,7 +1,7 @@
-//! Plans of streaks and cracks → what grows.
+//! The growth of streaks and cracks from their plan.
 //!
-//! The labels of the points are interpolated. One level a region makes the share that is covered right; the scale of all discs makes
-//! the width right, for which the points are laid anew.
+//! The labels of the points are interpolated. A threshold in each region sets the share that is covered; the scale of all discs
+//! sets the width, and each change of it needs a new layout of points.
 
 use rayon::prelude::*;
 
@@ -20,21 +20,21 @@ use crate::synth::pattern::share as pattern_value;
 use crate::synth::profile::{Section, during};
 use crate::synth::watch::Stage;
 
-/// The level of the edge.
+/// The threshold of the edge.
 const EDGE: f32 = 0.5;
-/// Times that points are laid, at most.
+/// Largest number of layouts of points.
 pub const LAID: usize = 4;
-/// A width that is right within this share needs no other try: chance makes more of the next one.
+/// A relative error of the width that needs no other attempt: the random error of the next attempt is larger.
 const CLOSE: f64 = 0.004;
 /// Factors of the discs' radii.
 const SCALES: [f64; 2] = [0.8, 1.6];
-/// Rounds in which levels are moved: after them, the shares of forty sketches were right within .01 % of the canvas.
+/// Rounds of moving thresholds: after them, the shares of forty sketches were right within 0.01 % of the canvas.
 const ROUNDS: usize = 6;
-/// d share ÷ d level, before it is known better: of shares from .3 to .6 it is −.6 to −.8.
+/// d share ÷ d threshold, before it is measured: for shares from 0.3 to 0.6 it is −0.6 to −0.8.
 const SLOPE: f64 = -0.7;
-/// Slopes that are found by two levels are believed between these.
+/// Slopes that follow from two thresholds are limited to this range.
 const SLOPES: [f64; 2] = [-3.0, -0.2];
-/// Levels: beyond, lines are dots or the canvas is full.
+/// Range of thresholds: beyond, lines are dots or the canvas is full.
 const LEVELS: [f64; 2] = [0.05, 0.95];
 
 /// A layer of lines that grows.
@@ -42,10 +42,10 @@ pub struct LinesGrowth {
     seed: u64,
     /// Whether width and share are corrected.
     corrects: bool,
-    /// Whether the lines are seen as they appear, not after each correction.
+    /// Whether the lines are shown as they appear, not after each correction.
     filmed: bool,
     plan: LinePlan,
-    /// Cells in which no line may be; empty = none.
+    /// Cells that no line may cover; empty = none.
     blocked: Vec<bool>,
     /// The factor of the discs' radii that is tried next.
     scale: f64,
@@ -54,24 +54,24 @@ pub struct LinesGrowth {
     state: State,
 }
 
-/// What is done next.
+/// The next part of the work.
 enum State {
     /// Points are laid.
     Lay,
-    /// Lines are tried; what the last try grew.
+    /// Lines are made from the points. Holds the result of the last attempt.
     Try(Option<Field>),
-    /// The best appear; the next stage.
+    /// The best lines appear. Holds the next stage.
     Appear(Appearance, usize, Option<Field>),
     /// All is done.
     Grown,
 }
 
-/// Lines that were tried.
+/// One attempt at lines.
 struct Try {
-    /// How much too wide they are, a share without sign.
+    /// Relative error of the width, without its sign.
     off: f64,
     labels: LaidLines,
-    /// The level of each region.
+    /// The threshold of each region.
     levels: Vec<f64>,
     grown: GrownLines,
 }
@@ -128,7 +128,7 @@ impl LinesGrowth {
         }
     }
 
-    /// Lays points and makes lines of them. Returns whether others may be nearer to the width that is wanted.
+    /// Lays points and makes lines of them. Returns whether another attempt may come closer to the wanted width.
     fn try_lines(&mut self) -> bool {
         let plan = &self.plan;
         let labels = during(Section::Steps, || self.laid(plan, &self.blocked, self.scale));
@@ -162,7 +162,7 @@ impl LinesGrowth {
         Err(LayerError::Blank { what, advice: LayerError::MARKS })
     }
 
-    /// What is being done, and the share of it that is done.
+    /// The current stage, and the finished share of it.
     pub fn progress(&self) -> (Stage, f64) {
         match &self.state {
             State::Lay | State::Try(_) => (Stage::Grow, self.tries as f64 / LAID as f64),
@@ -170,7 +170,7 @@ impl LinesGrowth {
         }
     }
 
-    /// The pattern as it is now; `None` where nothing is to be seen.
+    /// The current pattern; `None` while there is nothing to show.
     pub fn now(&self) -> Option<&Field> {
         match &self.state {
             State::Lay => None,
@@ -179,7 +179,7 @@ impl LinesGrowth {
         }
     }
 
-    /// What has grown.
+    /// The grown lines; `None` before the end.
     pub fn complete(self) -> Option<GrownLines> {
         self.best.map(|best| best.grown)
     }
@@ -201,11 +201,11 @@ impl LinesGrowth {
         lines.laid()
     }
 
-    /// The labels brought to a pattern with the wanted shares, and measured; and the level of each region.
+    /// Turns the labels into a pattern with the wanted shares, and measures it; also returns the threshold of each region.
     fn levelled(&self, plan: &LinePlan, labels: &Field) -> (GrownLines, Vec<f64>) {
         let layout = *plan.map.layout();
         let region_of = |at: [f64; 2]| layout.index(layout.region_of(at));
-        // By region what is free, and what of that lines are to cover, px².
+        // For each region the free area, and the part of it that lines are to cover, px².
         let cell = plan.grid.cell[0] * plan.grid.cell[1];
         let mut free = vec![[0.0; 2]; layout.len()];
         for index in
@@ -265,7 +265,8 @@ fn width_error(grown: &GrownLines) -> Option<f64> {
     (!errors.is_empty()).then(|| errors.iter().sum::<f64>() / errors.len() as f64)
 }
 
-/// The pattern of `labels`: ½ where they are at the level of their place, by region, and of streaks by what is wanted there.
+/// The pattern of `labels`: ½ where they equal the threshold of their place, which depends on the region and, for streaks, on the
+/// wanted share there.
 fn pattern(labels: &Field, plan: &LinePlan, levels: &[f64]) -> Field {
     let layout = *plan.map.layout();
     let mean = plan.mean_share();
@@ -273,7 +274,7 @@ fn pattern(labels: &Field, plan: &LinePlan, levels: &[f64]) -> Field {
         let at = plan.grid.center_px(cell);
         let corners = layout.corners(at);
         let level: f64 = corners.iter().map(|(region, weight)| weight * levels[*region]).sum();
-        // The meshes of cracks are as dense as is wanted; streaks have one density everywhere.
+        // The meshes of cracks have the wanted density; streaks have one density everywhere.
         let shift = if plan.kind == LineKind::Streaks { (plan.wanted(at).share - mean) / SLOPE } else { 0.0 };
         pattern_value(*value, (level + shift).clamp(LEVELS[0], LEVELS[1]) as f32)
     };

@@ -1,29 +1,29 @@
-//! What has grown on layers of streaks and cracks.
+//! Grown layers of streaks and cracks.
 
 use crate::grid::Field;
 use crate::measure::StripeErrors;
 use crate::synth::lines::plan::LinePlan;
 use crate::synth::pattern::AreaPattern;
 
-/// Shares of what the layers beneath left free.
+/// Shares of the area that the layers beneath left free.
 #[derive(Clone, Copy, Debug)]
 pub struct LineShare {
-    /// What lines were to cover.
+    /// The share that lines were to cover.
     pub asked: f64,
-    /// What they cover.
+    /// The share that they cover.
     pub got: f64,
 }
 
 /// Grown streaks or cracks.
 #[derive(Clone)]
 pub struct GrownLines {
-    /// How they were planned.
+    /// The plan from which they grew.
     pub plan: LinePlan,
     /// 0..1, lines above ½, on the grid.
     pub field: Field,
     /// Errors by region.
     pub errors: Vec<StripeErrors>,
-    /// By region.
+    /// Shares by region.
     pub shares: Vec<LineShare>,
 }
 

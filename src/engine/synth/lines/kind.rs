@@ -24,11 +24,12 @@ use crate::synth::watch::Stage;
 #[derive(Debug)]
 pub struct Lines;
 
-/// Bytes a cell of streaks and cracks, beside their points: labels, pattern, spline and the best so far, distances from obstacles.
+/// Memory per cell for streaks and cracks, besides their points, bytes: labels, pattern, spline, the best pattern so far, distances
+/// from obstacles.
 const LINE: f64 = 50.0;
-/// Seconds a cell of streaks and cracks on one core.
+/// Time per cell for streaks and cracks on one core, s.
 const CELL_SECONDS: f64 = 4e-6;
-/// Seconds of each point on one core, each time that it is laid.
+/// Time per point and layout on one core, s.
 const POINT_SECONDS: f64 = 1e-4;
 
 impl Kind for Lines {

@@ -12,24 +12,24 @@ use crate::points::lines::{Course, Lines, WantedLines, radius};
 use crate::synth::drawn::maps::modulated_by;
 use crate::synth::drawn::sketch_targets::marks;
 
-/// Width ÷ period where no lines are drawn side by side: streaks of the share that their chains have by themselves, and cracks that
-/// cover a fifth of the canvas.
+/// Width ÷ period if no lines are drawn side by side. Streaks have the share that their chains have by themselves, and cracks cover
+/// a fifth of the canvas.
 const ALONE: [f64; 2] = [0.4, 0.1];
-/// Shares of the canvas that streaks can cover: thinner ones break to dots, wider ones merge.
+/// Shares of the canvas that streaks can cover: less breaks them into dots, more merges them.
 const STREAKS: [f64; 2] = [0.2, 0.6];
-/// Shares of the canvas that cracks can cover: meshes of more have no room.
+/// Shares of the canvas that cracks can cover: for more there is no room between the meshes.
 const CRACKS: [f64; 2] = [0.03, 0.45];
-/// Cells of the grid in the radius of the discs, as of patches.
+/// Cells of the grid per radius of the discs, as for patches.
 const CELLS: f64 = 3.0;
-/// Radius of the discs, at the least factor that the growth tries, ÷ that of the plan.
+/// The least factor of the discs' radii that the growth tries.
 const LEAST_SCALE: f64 = 0.8;
-/// Places along a side at which the map is asked for the finest lines.
+/// Number of places along a side at which the map is read to find the finest lines.
 const SAMPLES: usize = 16;
 
 /// Streaks or cracks that are ready to grow.
 #[derive(Clone, Debug)]
 pub struct LinePlan {
-    /// What they are.
+    /// The kind of lines.
     pub kind: LineKind,
     /// Width, period and direction of what was drawn.
     pub map: AttributeMap,
@@ -37,7 +37,7 @@ pub struct LinePlan {
     pub detail: f64,
     /// The grid over the canvas, px.
     pub grid: Grid,
-    /// What the user should know.
+    /// Notes for the user.
     pub notes: Vec<String>,
     /// Cells of the grid that the marks of the layers beneath have taken; empty = none.
     pub obstacles: Vec<bool>,
@@ -99,7 +99,7 @@ impl LinePlan {
         self.grid.px_a_cell()
     }
 
-    /// How its lines run.
+    /// The kind of its lines.
     #[must_use]
     pub fn course(&self) -> Course {
         match self.kind {
@@ -108,13 +108,13 @@ impl LinePlan {
         }
     }
 
-    /// What is wanted at a place, px; beyond a closed border as at the nearest place on it.
+    /// The wanted lines at a place, px; beyond a closed border those of the nearest place on it.
     #[must_use]
     pub fn wanted(&self, at: [f64; 2]) -> WantedLines {
         self.of(&self.map.at(self.canvas().inside(at)))
     }
 
-    /// What is wanted at the centre of a region; of free marks their mean.
+    /// The wanted lines at the centre of a region; for free marks their mean.
     #[must_use]
     pub fn wanted_of_region(&self, place: [usize; 2]) -> WantedLines {
         self.of(&self.map.of_region(place))
@@ -137,13 +137,13 @@ impl LinePlan {
         }
     }
 
-    /// What the ruler compares: of cracks the width alone.
+    /// The attributes that are compared with the measurement; for cracks the width alone.
     #[must_use]
     pub fn asked(&self, at: [f64; 2]) -> Attributes {
         self.attributes(self.wanted(at))
     }
 
-    /// What the ruler compares in a region: of cracks the width alone.
+    /// The attributes of a region that are compared with the measurement; for cracks the width alone.
     #[must_use]
     pub fn asked_of_region(&self, place: [usize; 2]) -> Attributes {
         self.attributes(self.wanted_of_region(place))
@@ -160,7 +160,7 @@ impl LinePlan {
         self.obstacles.get(self.grid.cell_at(self.grid.to_cells(at))).copied().unwrap_or(false)
     }
 
-    /// The cells that no line may reach: those that are taken, and those nearer to them than one distance of points.
+    /// The cells that no line may cover: those that are taken, and cells closer to these than one distance of points.
     #[must_use]
     pub fn blocked(&self) -> Vec<bool> {
         let Some(ways) = nearest(&self.obstacles, &self.grid) else { return Vec::new() };
@@ -170,7 +170,7 @@ impl LinePlan {
         ways.iter().enumerate().map(is_near).collect()
     }
 
-    /// What laying the points takes, each time.
+    /// The work of one layout of points.
     #[must_use]
     pub fn laying(&self) -> Laying {
         let wanted = |at: [f64; 2]| self.wanted(at);
@@ -208,7 +208,7 @@ impl LinePlan {
     }
 }
 
-/// Width ÷ period of lines that nothing else says it of.
+/// Width ÷ period of lines for which nothing else gives it.
 pub(in crate::synth) fn alone(kind: LineKind) -> f64 {
     match kind {
         LineKind::Streaks => ALONE[0],
@@ -216,7 +216,8 @@ pub(in crate::synth) fn alone(kind: LineKind) -> f64 {
     }
 }
 
-/// The share that lines of this `duty` would cover: streaks that; cracks, which run both ways, that of two such sets of lines.
+/// The share that lines of this `duty` cover: for streaks the duty; for cracks, which run in both directions, that of two such sets
+/// of lines.
 pub(in crate::synth) fn share_of(kind: LineKind, duty: f64) -> f64 {
     match kind {
         LineKind::Streaks => duty,

@@ -1,4 +1,4 @@
-//! What was asked of streaks and cracks, and what grew.
+//! The report of streaks and cracks: what was asked for, and what grew.
 
 use crate::attributes::{Attribute, Attributes, Polarity};
 use crate::document::LineKind;
@@ -57,14 +57,14 @@ pub fn line_regions(layer: &GrownLines) -> Vec<RegionReport> {
     (0..layout.len()).map(region).collect()
 }
 
-/// A note where lines are clearly wider or narrower than they were to be.
+/// A note if lines are clearly wider or narrower than asked for.
 fn other_width(errors: &StripeErrors) -> Option<String> {
     let off = errors.width?.abs();
     let (asked, got) = (errors.wanted?.width, errors.got?.width);
     (off > NOTED).then(|| format!("lines are {got:.1} px wide, not {asked:.1}"))
 }
 
-/// A note where lines cover clearly more or less than they were to.
+/// A note if lines cover clearly more or less than asked for.
 fn other_share(plan: &LinePlan, ShareReport { asked, got }: ShareReport) -> Option<String> {
     ((got / asked - 1.0).abs() > NOTED).then(|| {
         let name = plan.kind.description().name;
@@ -75,7 +75,7 @@ fn other_share(plan: &LinePlan, ShareReport { asked, got }: ShareReport) -> Opti
 /// The share that the lines of all regions cover.
 #[must_use]
 pub fn share(layer: &GrownLines) -> ShareReport {
-    // Regions are equally large; of those with obstacles all count as much.
+    // All regions are equally large; regions with obstacles have full weight, too.
     let mean = |of: fn(&LineShare) -> f64| {
         layer.shares.iter().map(of).sum::<f64>() / layer.shares.len().max(1) as f64
     };

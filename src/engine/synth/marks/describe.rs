@@ -1,4 +1,4 @@
-//! What `check` says of a layer of spots or stripes.
+//! The output of `check` for a layer of spots or stripes.
 
 use std::fmt::Write;
 
@@ -13,12 +13,12 @@ use crate::synth::marks::plan::{Lookup, Start, Surroundings};
 use crate::synth::marks::planned::{MarksPlan, looked_up};
 use crate::synth::marks::report::expected_note;
 
-/// What would grow on a layer, and for each region that has marks what was asked and what is expected.
+/// A description of a layer that would grow, and for each region that has marks what was asked for and what is expected.
 pub(super) fn described(plan: &MarksPlan, request: &Request, mut notes: Vec<String>) -> Described {
     let MarksPlan { lookup, options, .. } = plan;
     let raggedness = asked_raggedness(&lookup.map, options);
     notes.extend(looked_up(request.beneath).and_then(|beneath| lookup.expected_room(beneath)));
-    // Of lines around marks, or between them, only the width counts.
+    // For lines around marks, or between them, only the width is used.
     if lookup.curve_kind().is_none() {
         notes.extend(lookup.map.free().map(FreeMap::remarks).unwrap_or_default());
     }
@@ -59,7 +59,7 @@ fn crowded(plan: &Lookup) -> Option<String> {
     expected_note(&alone)
 }
 
-/// What is asked of a region as a whole.
+/// The attributes that are asked of a region as a whole.
 fn asked(plan: &Lookup, place: [usize; 2]) -> Attributes {
     if plan.map.is_modulated() {
         plan.map.of_region(place)
@@ -68,7 +68,7 @@ fn asked(plan: &Lookup, place: [usize; 2]) -> Attributes {
     }
 }
 
-/// What would be grown, and for each region what was asked and what cannot be met.
+/// The layer that would be grown, and for each region what was asked for and what cannot be met, as text.
 fn reach(plan: &Lookup, index: usize) -> String {
     let layout = plan.map.layout();
     let [nx, ny] = plan.grid.size;
@@ -108,7 +108,7 @@ fn reach(plan: &Lookup, index: usize) -> String {
     text
 }
 
-/// Such as `, varied: area by 0.12, angle by 8°`; empty if all marks are alike.
+/// The spread in words, such as `, varied: area by 0.12, angle by 8°`; empty if all marks are alike.
 fn varied(spread: &Spread) -> String {
     let part = |(attribute, value): (Attribute, f64)| match attribute {
         Attribute::Angle => (value >= 0.05).then(|| format!("angle by {value:.1}°")),

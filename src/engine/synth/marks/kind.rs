@@ -38,7 +38,7 @@ impl Kind for Marks {
     type Growth<'a> = MarksGrowth<'a>;
     type Grown = GrownMarks;
 
-    /// What no other kind takes.
+    /// Accepts every layer that no other kind accepts.
     fn takes(_document: &Document, _index: usize) -> bool {
         true
     }
@@ -71,7 +71,8 @@ impl Kind for Marks {
         });
         let [least, largest] =
             areas.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], area| [low.min(area), high.max(area)]);
-        // Large marks take as many more steps as they have cells more, but on a grid on which so many fewer cells are enough.
+        // Large marks need more steps in proportion to their cells, but on a grid on which fewer cells suffice in the same
+        // proportion.
         let coarser = (grid.size[0].min(grid.size[1]) as f64 / LEAST_SIDE).max(1.0).powi(2);
         of_cells * (largest / least / (coarser * coarser)).max(1.0)
     }
@@ -98,7 +99,7 @@ impl Kind for Marks {
         let lookup = &plan.lookup;
         let obstacles = obstacles(beneath, lookup.grid.size, &|layer| crosses(lookup, layer));
         let plan = lookup.clone().rough(obstacles);
-        // At the system's own distance: correcting the spacing takes several times as long.
+        // The marks are at the system's own distance: correcting the spacing takes several times as long.
         let mut engine = Engine::from_maps(plan.lookup.system, plan.unpitched_maps(), seed);
         if !engine.can_start() {
             return None;
@@ -185,7 +186,7 @@ pub(in crate::synth) fn share_needed(engine: &Engine, system: System) -> f64 {
     if engine.grid_level()[1] == 1 { cost.updates_on_one_grid } else { cost.updates }
 }
 
-/// Takes some steps of `system` on the grid of `maps`, and returns how many cells were updated.
+/// A part of the work: some steps of `system` on the grid of `maps`. Returns the number of cell updates.
 pub(in crate::synth) fn stepped(system: System, maps: &ParameterField) -> Option<Box<dyn FnMut() -> f64>> {
     let cells = maps.domain.cells();
     let concentrations = vec![vec![1.0; cells]; system.chemicals().len()];

@@ -1,4 +1,4 @@
-//! The plan of a layer of spots or stripes, as the layers above see it.
+//! The plan of a layer of spots or stripes, in the form that the layers above use.
 
 use std::any::Any;
 
@@ -6,18 +6,18 @@ use crate::document::{After, LayerOptions};
 use crate::synth::marks::GrownMarks;
 use crate::synth::marks::plan::Lookup;
 
-/// What was looked up for a layer, with the options that its growth needs.
+/// The lookup of a layer, with the options for its growth.
 #[derive(Clone)]
 pub struct MarksPlan {
-    /// What was looked up.
+    /// The result of the lookup.
     pub lookup: Lookup,
     /// The options of the layer.
     pub options: LayerOptions,
-    /// How it meets the marks beneath.
+    /// Position of its marks relative to the marks beneath.
     pub after: After,
 }
 
-/// What was looked up for the layer beneath, by its plan or by what has grown; `None` of any other kind.
+/// The lookup of the layer beneath, from its plan or its grown layer; `None` for any other kind.
 #[must_use]
 pub fn looked_up(beneath: Option<&dyn Any>) -> Option<&Lookup> {
     let beneath = beneath?;

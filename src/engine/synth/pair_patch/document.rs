@@ -1,4 +1,4 @@
-//! What is drawn for a patch, as a document.
+//! The document from which a patch grows.
 
 use std::f64::consts::PI;
 
@@ -8,7 +8,7 @@ use crate::rd::pairs::polygons::distance;
 use crate::rd::pairs::{PairKind, Threads};
 
 impl PairPatch {
-    /// What is drawn, as a document.
+    /// The drawn marks of the patch, as a document.
     #[must_use]
     pub fn document(&self) -> Document {
         let Drawn { duty, decay, .. } = self.drawn;
@@ -53,7 +53,7 @@ impl PairPatch {
         let Drawn { directions, between, angle, .. } = self.drawn;
         match directions {
             2 => vec![angle, angle + between],
-            // Two of the three angles are the same.
+            // Two of the three angles are equal.
             3 if self.kind() == Some(PairKind::Weave) => {
                 vec![angle, angle + between, angle + 0.5 * (180.0 + between)]
             }
@@ -61,7 +61,7 @@ impl PairPatch {
         }
     }
 
-    /// What is drawn of direction number `index`.
+    /// The drawn threads of direction number `index`.
     fn threads(&self, index: usize) -> Threads {
         let Drawn { duty, others, unequal, .. } = self.drawn;
         let (duty, period) = match self.kind() {
@@ -71,7 +71,7 @@ impl PairPatch {
         Threads { width: duty * period, period }
     }
 
-    /// Two lines side by side, about the middle; of a maze about a place of their own.
+    /// Two lines side by side, about the middle; for a maze about a place of their own.
     fn two_lines(&self, index: usize, angle: f64, long: f64) -> [Stroke; 2] {
         let threads = self.threads(index);
         let mut center = [0.5 * self.side(); 2];

@@ -1,8 +1,8 @@
-//! What is drawn for a patch, as numbers.
+//! The drawn marks of a patch, as numbers.
 
 use crate::document::LayerOptions;
 
-/// What is drawn for a patch; what a system does not have is not used.
+/// The drawn marks of a patch; numbers that a system does not have are not used.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drawn {
     /// Number of directions.
@@ -19,7 +19,7 @@ pub struct Drawn {
     pub angle: f64,
     /// Length of the lines of a maze ÷ their period.
     pub long: f64,
-    /// Level of the edges of a maze ÷ the level where the reaction is half.
+    /// Threshold of the edges of a maze ÷ the value at which the reaction is one half.
     pub level: f64,
     /// Decay of stucco.
     pub decay: f64,

@@ -1,4 +1,4 @@
-//! A grown patch → numbers by the names of their columns, and errors.
+//! Measurements of a grown patch: numbers by the names of their columns, and errors.
 
 use super::{Named, PERIOD, PairPatch, PairReason};
 use crate::measure::{Spot, StripeErrors, blotch_width, spots, stripes};
@@ -12,13 +12,13 @@ use crate::synth::pairs::grown::GrownPairs;
 use crate::synth::pairs::plan::thread_map::ThreadMap;
 use crate::synth::pairs::plan::{Crossed, PairForm, crossed, least_between};
 
-/// Widths within these factors of what was drawn are learnt from.
+/// Range of the width relative to the drawn one in which a patch is used as training data.
 const WIDTHS: [f64; 2] = [0.5, 1.7];
-/// Periods within these are.
+/// Range of the period relative to the drawn one in which a patch is used as training data.
 const PERIODS: [f64; 2] = [0.75, 1.3];
-/// Lines that run this far from the direction that was drawn are others, degrees.
+/// Lines that deviate from the drawn direction by more than this belong to another direction, degrees.
 const TURNED: f64 = 15.0;
-/// The share of the laid cells that have an area of their own, least.
+/// Least share of the laid cells that have an area of their own.
 const OWN_CELLS: f64 = 0.9;
 
 impl PairPatch {
@@ -87,7 +87,7 @@ impl PairPatch {
         Ok(named)
     }
 
-    /// What rows of all lines have. `by_law` is the size that the law gives for what was measured, px.
+    /// The numbers that the rows of all lines have. `by_law` is the size that the law gives for the measured threads, px.
     fn first_line(&self, grown: &GrownPairs, got: Threads, by_law: f64) -> Vec<Named> {
         let px = grown.plan.px_a_cell();
         let (size, asked) = (grown.plan.usual_sizes()[0], grown.plan.threads[0].mean());
@@ -156,7 +156,7 @@ impl PairPatch {
     }
 }
 
-/// Lines where they are like what was asked for.
+/// The measured lines, if they are close to those asked for.
 fn checked(asked: &ThreadMap, got: Threads) -> Result<Threads, PairReason> {
     let asked = asked.mean();
     periods_are_like(got.period / (asked.width / asked.duty()))?;
@@ -167,7 +167,7 @@ fn checked(asked: &ThreadMap, got: Threads) -> Result<Threads, PairReason> {
     Ok(got)
 }
 
-/// Whether a period is like the one that was drawn: `got` is their ratio.
+/// Whether a period is close to the drawn one: `got` is their ratio.
 fn periods_are_like(got: f64) -> Result<(), PairReason> {
     if got > PERIODS[1] {
         return Err(PairReason::Broken { got });

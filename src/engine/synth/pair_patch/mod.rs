@@ -1,4 +1,4 @@
-//! A patch of a system of pairs, grown from a few drawn marks by the laws alone: what its training rows are made of.
+//! A patch of a system of pairs, grown from a few drawn marks by the laws alone, for training rows.
 
 mod document;
 mod drawn;
@@ -18,11 +18,11 @@ use crate::synth::options::Options;
 use crate::synth::training::Training;
 use crate::synth::watch::{Cancelled, Watch};
 
-/// Period of the first direction, px; the grid is as fine as its pair needs, whatever it is.
+/// Period of the first direction, px; the grid is as fine as its pair needs.
 const PERIOD: f64 = 24.0;
 /// Width of the lines between cells, px.
 const GAP: f64 = 8.0;
-/// How names of errors begin.
+/// Prefix of the names of errors.
 const ERROR: &str = "error of ";
 
 /// A value by its name.
@@ -31,20 +31,20 @@ type Named = (&'static str, f64);
 /// A patch that is to be grown.
 #[derive(Clone, Copy, Debug)]
 pub struct PairPatch {
-    /// One of [`crate::document::systems::of_pairs`].
+    /// The system, from [`crate::document::systems::of_pairs`].
     pub system: &'static Description,
-    /// What is drawn.
+    /// The drawn marks.
     pub drawn: Drawn,
-    /// Periods along a side, of the widest; of cells how many.
+    /// Periods along a side, of the widest period; for cells their number.
     pub periods: f64,
-    /// Of fewer than these nothing is learnt.
+    /// Least number of periods or cells for the patch to be used as training data.
     pub least: f64,
-    /// Seed of all that is random.
+    /// Seed of all random numbers.
     pub seed: u64,
 }
 
 impl PairPatch {
-    /// Grows it by the laws alone, and measures it: a row with the seed of the patch, or why it is not learnt from.
+    /// Grows it by the laws alone, and measures it. Returns a row with the seed of the patch, or the reason why it is not used.
     ///
     /// # Errors
     /// [`Cancelled`].
@@ -59,8 +59,8 @@ impl PairPatch {
         }))
     }
 
-    /// Grows it as a document is grown, with what `training` says of the laws, corrected or not: how much larger than drawn what
-    /// was measured is, relative, by name; or why it is no texture.
+    /// Grows it as a document is grown, with the factors of the laws from `training`, corrected or not. Returns the relative errors
+    /// of the measured values against the drawn ones, by name; or the reason why it is not a texture.
     ///
     /// # Errors
     /// [`Cancelled`].
@@ -77,7 +77,7 @@ impl PairPatch {
         }))
     }
 
-    /// What was measured, by the names of the columns, and errors by names that begin with [`ERROR`].
+    /// The measurements by the names of the columns, and errors by names that begin with [`ERROR`].
     fn grown(
         &self,
         training: &Training,
@@ -106,13 +106,13 @@ impl PairPatch {
         })
     }
 
-    /// What was measured, where there are enough periods or cells.
+    /// The measurements, if there are enough periods or cells.
     fn enough(&self, named: Vec<Named>) -> Result<Vec<Named>, PairReason> {
         let found = named.iter().find(|(name, _)| ["periods", "cells"].contains(name)).map_or(0.0, |of| of.1);
         if found < self.least { Err(PairReason::TooFew { found, least: self.least }) } else { Ok(named) }
     }
 
-    /// The system of pairs; `None` of cells.
+    /// The system of pairs; `None` for cells.
     fn kind(&self) -> Option<PairKind> {
         PairKind::of(self.system)
     }

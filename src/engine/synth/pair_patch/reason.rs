@@ -1,6 +1,6 @@
-//! Why a patch is not learnt from.
+//! Reasons why a patch is not used as training data.
 
-/// Why a patch is not learnt from.
+/// The reason why a patch is not used as training data.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PairReason {
     /// Nothing grew.
@@ -9,15 +9,15 @@ pub enum PairReason {
     /// The lines are not as they were drawn.
     #[error("the {what} is {got:.2} times what was drawn")]
     Blotchy {
-        /// What differs.
+        /// The property that differs.
         what: &'static str,
-        /// What grew ÷ what was drawn.
+        /// Grown value ÷ drawn value.
         got: f64,
     },
     /// Lines have gaps: they are farther apart than drawn.
     #[error("lines are broken: they are {got:.2} times as far apart as drawn")]
     Broken {
-        /// Period ÷ what was drawn.
+        /// Grown period ÷ drawn period.
         got: f64,
     },
     /// Lines of a direction died.

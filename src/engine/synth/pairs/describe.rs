@@ -1,4 +1,4 @@
-//! What `check` says of a layer of pairs.
+//! The output of `check` for a layer of pairs.
 
 use std::fmt::Write;
 
@@ -8,7 +8,7 @@ use crate::attributes::Stripes;
 use crate::synth::kind::{Described, Request};
 use crate::synth::pairs::plan::PairPlan;
 
-/// What pairs would grow, and what was asked of each direction.
+/// A description of the layer that would grow, and of what was asked of each direction.
 pub(super) fn described(plan: &PairPlan, request: &Request, mut notes: Vec<String>) -> Described {
     notes.extend(plan.notes.iter().cloned());
     let threads = plan.threads.iter();
@@ -18,7 +18,7 @@ pub(super) fn described(plan: &PairPlan, request: &Request, mut notes: Vec<Strin
     Described::new(reach(plan, request.index), notes, json)
 }
 
-/// What pairs would grow, and what was asked of each direction.
+/// The layer that would grow, and what was asked of each direction, as text.
 fn reach(plan: &PairPlan, index: usize) -> String {
     let [nx, ny] = plan.grid.size;
     let name = plan.kind().description().name;

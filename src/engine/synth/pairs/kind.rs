@@ -22,9 +22,9 @@ use crate::synth::watch::Stage;
 #[derive(Debug)]
 pub struct Pairs;
 
-/// Seconds of an update of one morphogen in one cell on one core.
+/// Time of an update of one morphogen in one cell on one core, s.
 pub(in crate::synth) const UPDATE_SECONDS: f64 = 2e-9;
-/// Seconds a cell and direction of what is done beside that: lines are laid, threads measured.
+/// Time per cell and direction of the other work, s: laying lines, measuring threads.
 const CELL_SECONDS: f64 = 3e-6;
 /// Steps of the part of a growth that is timed.
 const STEPS: u64 = 8;
@@ -36,7 +36,7 @@ pub struct PlannedPairs {
     pub plan: PairPlan,
     /// The index of the layer in the document.
     pub index: usize,
-    /// What the stripes need that its threads begin along.
+    /// The time and memory of the stripes along which its threads begin.
     pub stripes: StripesNeed,
 }
 
@@ -150,7 +150,7 @@ impl Kind for Pairs {
     }
 }
 
-/// The steps of a growth of pairs in `time`, 1/b, of which some are timed.
+/// The steps of a growth of pairs for `time`, in 1/b, of which some are timed.
 pub(in crate::synth) fn timed(mut growth: PairGrowth, time: f64) -> Work {
     let units = growth.steps_in(time) as f64;
     let part = move || {
@@ -161,7 +161,7 @@ pub(in crate::synth) fn timed(mut growth: PairGrowth, time: f64) -> Work {
     Work::Units { units, part: Box::new(part) }
 }
 
-/// Pairs that have hardly grown.
+/// Pairs after a few steps.
 struct Begun {
     plan: PairPlan,
     growth: PairGrowth,

@@ -1,4 +1,4 @@
-//! What systems of pairs of morphogens grow: weaves, mazes, stripes with tips, stucco.
+//! Layers of systems of pairs of morphogens: weaves, mazes, stripes with tips, stucco.
 
 mod describe;
 pub mod grow;

@@ -1,4 +1,4 @@
-//! What was asked of the threads of each direction of a weave, and what grew.
+//! The report of the threads of each direction: what was asked for, and what grew.
 
 use crate::attributes::Stripes;
 use crate::document::Over;
@@ -12,14 +12,14 @@ use crate::synth::report::drawn::{DrawnMark, drawn_line};
 use crate::synth::report::stripe_along::stripe_along;
 use crate::synth::report::{NOTED, ThreadErrors, ThreadReport, WidthReport};
 
-/// The blotches of stucco; `None` of all others.
+/// The report on the blotches of stucco; `None` for all other systems.
 #[must_use]
 pub fn blotches(layer: &GrownPairs) -> Option<WidthReport> {
     let found = layer.measured.first().filter(|_| layer.plan.kind() == PairKind::Stucco)?;
     Some(WidthReport { asked: found.wanted?.width, got: found.got.map(|got| got.width) })
 }
 
-/// The threads of each direction of what pairs have grown; none of stucco.
+/// The report on the threads of each direction of a layer of pairs; none for stucco.
 #[must_use]
 pub fn threads(layer: &GrownPairs) -> Vec<ThreadReport> {
     if layer.plan.kind() == PairKind::Stucco {
@@ -42,7 +42,7 @@ pub fn threads(layer: &GrownPairs) -> Vec<ThreadReport> {
     layer.plan.threads.iter().zip(&layer.measured).map(direction).collect()
 }
 
-/// The notes on what pairs have grown.
+/// The notes on a layer of pairs.
 #[must_use]
 pub fn notes(layer: &GrownPairs) -> Vec<String> {
     let dead = layer.plan.threads.iter().zip(&layer.measured).filter(|(_, found)| found.got.is_none());
@@ -73,7 +73,7 @@ pub fn notes(layer: &GrownPairs) -> Vec<String> {
         .collect()
 }
 
-/// A note where these threads are clearly wider or narrower than the plan has said; blotches have a note of their own.
+/// A note if these threads are clearly wider or narrower than planned; blotches have a note of their own.
 fn other_width(layer: &GrownPairs, threads: &ThreadMap, found: &StripeErrors) -> Option<String> {
     if layer.plan.kind() == PairKind::Stucco {
         return None;
@@ -91,11 +91,11 @@ fn other_width(layer: &GrownPairs, threads: &ThreadMap, found: &StripeErrors) ->
     })
 }
 
-/// What became of each drawn line, in the order in which they were drawn.
+/// For each drawn line, in the order of drawing, how it has grown.
 #[must_use]
 pub fn drawn_lines(layer: &GrownPairs) -> Vec<DrawnMark> {
     if layer.plan.kind() == PairKind::Stucco {
-        // Marks say how wide blotches are, not where.
+        // Marks give the width of blotches, not their places.
         return Vec::new();
     }
     if !layer.plan.threads.iter().all(ThreadMap::keeps_lines) {

@@ -1,8 +1,7 @@
-//! Stripes that have the directions and distances of threads: the lines that these begin along where no phase has them.
+//! Stripes with the directions and distances of threads. Threads that follow no phase begin along such stripes.
 
 use crate::document::{Document, Layer, LayerOptions, Stroke, SystemChoice};
 use crate::marks::Path;
-use crate::rd::System;
 use crate::synth::error::LayerError;
 use crate::synth::kind::{Kind, Request};
 use crate::synth::marks::Marks;
@@ -10,7 +9,7 @@ use crate::synth::pairs::grown::ThreadPhase;
 use crate::synth::pairs::plan::PairPlan;
 use crate::synth::pairs::plan::thread_map::ThreadMap;
 
-/// What the stripes need that threads begin along: bytes of memory for the largest of them, and seconds on one core for all.
+/// The needs of the stripes along which threads begin: bytes of memory for the largest of them, and seconds on one core for all.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StripesNeed {
     /// Bytes of memory.
@@ -19,10 +18,11 @@ pub struct StripesNeed {
     pub seconds: f64,
 }
 
-/// Less than this is not worth finding out whether they are grown at all, which takes about as long as growing them.
+/// Needs up to which it is not tested whether the stripes are grown at all, since the test takes about as long as growing them.
 const LITTLE: StripesNeed = StripesNeed { bytes: 2e8, seconds: 1.0 };
 
-/// What the stripes need that have to be grown for the threads of `plan`, which the `request` is for; nothing where phases have them all.
+/// The needs of the stripes that have to be grown for the threads of `plan`, which belongs to `request`; nothing if all threads
+/// follow phases.
 ///
 /// # Errors
 /// They cannot be planned.
@@ -46,7 +46,7 @@ pub(super) fn needed_by_stripes(request: &Request, plan: &PairPlan) -> Result<St
     Ok(all)
 }
 
-/// A document of stripes as far apart as these threads, half as wide as they are apart, which all begin where lines are drawn.
+/// A document of stripes at the distance of these threads, half as wide as their period, which all begin at drawn lines.
 pub(super) fn stripes_of(document: &Document, threads: &ThreadMap, seed: u64, index: usize) -> Document {
     let own = &document.layers[index].strokes;
     let stroke = |(mark, line): &(usize, Path)| {
@@ -57,8 +57,8 @@ pub(super) fn stripes_of(document: &Document, threads: &ThreadMap, seed: u64, in
             None => Stroke::Path(Path { width, ..line.clone() }),
         }
     };
-    // Those that are as wide as their gaps.
-    let striped = System::first(|system| system.is_striped() && !system.free_spacing);
+    // The system of stripes that are as wide as their gaps.
+    let striped = SystemChoice::system_of_stripes(false);
     let layer = Layer {
         system: striped.map_or(SystemChoice::Auto, |system| SystemChoice::Of(system.description())),
         seed: Some(seed),

@@ -1,4 +1,4 @@
-//! What passes see of a layer, and change.
+//! The operations by which passes measure and change a layer.
 
 use super::found::{DrawnSpots, MergedSpots};
 use super::own_thresholds::OwnThresholds;
@@ -6,7 +6,7 @@ use super::restarts::Restart;
 use super::thresholds::Thresholds;
 use crate::synth::error::LayerError;
 
-/// How far a call of [`Correctable::grow`] has come.
+/// The result of a call of [`Correctable::grow`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Grown {
     /// Cell updates that it has done.
@@ -17,64 +17,65 @@ pub struct Grown {
 
 /// A layer that passes can correct.
 ///
-/// A canvas answers to all of it. On a surface a place is a vertex, spots are numbered as on a canvas, and what is not said here has a
-/// meaning there: a restart writes the initial concentrations about the vertices of `again` and grows on. A surface without drawn spots
-/// answers [`DrawnSpots::default`].
+/// A canvas implements all of it. On a surface a place is a vertex, spots are numbered as on a canvas, and the default methods
+/// apply: a restart writes the initial concentrations about the vertices of `again` and continues the growth. A surface without
+/// drawn spots returns [`DrawnSpots::default`].
 pub trait Correctable: Thresholds + OwnThresholds {
-    /// Grows on by about `budget` cell updates. Once it has settled it is measured.
+    /// Continues the growth by about `budget` cell updates, and measures the pattern once it has settled.
     ///
     /// # Errors
-    /// It has not grown to numbers.
+    /// The concentrations are not finite.
     fn grow(&mut self, budget: u64) -> Result<Grown, LayerError>;
 
-    /// Cells, or px, that one measurement looks at.
+    /// Number of cells, or px, of one measurement.
     fn measured(&self) -> u64;
 
-    /// Compares what has grown with the spots that began, once the thresholds stay as they are.
+    /// Compares the grown spots with those that began, after the thresholds have been moved for the last time.
     fn compare(&mut self);
 
-    /// The spots that have grown together, as they were compared last.
+    /// The spots that have merged, by the last comparison.
     fn merged(&self) -> &MergedSpots;
 
-    /// Keeps the pattern if it is better than the best so far. Drawn spots and those that have grown by half are compared with what was
-    /// asked.
+    /// Keeps the pattern if it is better than the best so far. Drawn spots and half-grown marks are compared with the sketch.
     fn keep(&mut self);
 
-    /// The drawn spots, as they were compared last.
+    /// The drawn spots, by the last comparison.
     fn drawn(&self) -> &DrawnSpots;
 
-    /// How many marks have grown by half.
+    /// The number of half-grown marks.
     fn half_grown(&self) -> usize;
 
-    /// The nearest drawn spot beside a spot, and the nearest other one.
+    /// The drawn spot nearest to `spot`, and the nearest other spot.
     fn beside(&self, spot: usize) -> [Option<usize>; 2];
 
-    /// Lets spots begin again; the pattern then grows on.
+    /// Restarts spots; the growth of the pattern then continues.
     fn restart(&mut self, restart: &Restart);
 
-    /// Lets the spots begin again that have grown by half. Returns how many.
+    /// Restarts the half-grown spots. Returns their number.
     fn restart_half_grown(&mut self) -> usize;
 
-    /// Whether the cells about the merged spots can grow on alone.
+    /// Whether the cells about the merged spots can be grown on their own.
     fn has_parts(&mut self) -> bool {
         false
     }
 
-    /// Begins to grow these cells on, without the surplus spots.
+    /// Begins to grow these cells, without the surplus spots.
     fn begin_parts(&mut self) {}
 
-    /// Grows them on. Returns how many cells were updated; `None` = they have settled, and their spots were measured and compared.
+    /// Continues the growth of these cells. Returns the number of cell updates; `None` = they have settled, and their spots have
+    /// been measured and compared.
     fn grow_parts(&mut self) -> Option<u64> {
         None
     }
 
-    /// Whether there is a pattern at all.
+    /// Checks that there is a pattern.
     ///
     /// # Errors
     /// Nothing grew, or nothing but marks.
     fn check(&self) -> Result<(), LayerError>;
 
-    /// Begins the whole layer again in parameters that make up for what the layers beneath do to it. Returns whether they do much.
+    /// Begins the whole layer again with parameters that compensate for the effects of the layers beneath. Returns whether these
+    /// effects are large.
     ///
     /// # Errors
     /// The training set cannot be read.
@@ -82,7 +83,8 @@ pub trait Correctable: Thresholds + OwnThresholds {
         Ok(false)
     }
 
-    /// Makes the edges of the best pattern more or less ragged, once. Returns how many cells were measured; `None` = they are as asked.
+    /// Changes the raggedness of the edges of the best pattern by one step. Returns the number of cells that were measured; `None`
+    /// = the edges are as asked for.
     fn roughen(&mut self) -> Option<u64> {
         None
     }

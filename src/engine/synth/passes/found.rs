@@ -1,29 +1,29 @@
-//! What is found about the spots of a layer that has settled. Spots are numbered: the drawn ones first, then the others.
+//! Results of comparing the spots of a settled layer. Spots are numbered: the drawn ones first, then the others.
 
-/// How the drawn spots differ from what was drawn.
+/// The differences between the grown and the drawn spots.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DrawnSpots {
-    /// How many there are.
+    /// Number of drawn spots.
     pub count: usize,
-    /// Spots that grew, but differ by more than is tolerated.
+    /// Spots that grew, but with an error above the tolerance.
     pub different: Vec<usize>,
-    /// Whether some of these differ by so much that the pattern is corrected again.
+    /// Whether some of these errors are so large that the pattern is corrected again.
     pub again: bool,
-    /// Spots that have vanished, moved away or split, and so begin again.
+    /// Spots that have vanished, moved away or split, and so are restarted.
     pub lost: Vec<usize>,
     /// Lost spots that have not split: their neighbours leave them too little room.
     pub crowded: Vec<usize>,
-    /// The sum over the drawn spots: 1 for one that is lost, what it differs by for one that grew.
+    /// The sum over the drawn spots of their errors; 1 for a lost spot.
     pub error: f64,
 }
 
-/// Which of the spots that began have grown together with another.
+/// The spots that have merged with another one.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MergedSpots {
-    /// All but one, or but the drawn ones, of each grown spot.
+    /// For each merged spot, all original spots but one; drawn ones are never included.
     pub surplus: Vec<usize>,
-    /// The others of these grown spots.
+    /// The other original spots of the merged ones.
     pub kept: Vec<usize>,
-    /// Of the kept ones all but one of each grown spot: drawn ones that are too near to each other.
+    /// Kept spots, all but one for each merged spot: drawn ones that are too near to each other.
     pub crowded: Vec<usize>,
 }

@@ -6,9 +6,9 @@
 //!   └────────────────────────────────────────┴─────────────────┴─────────────────────────────────────────────────────┘
 //! ```
 //!
-//! A pass sees what the layer has measured ([`Correctable`]), and changes thresholds or lets spots begin again. Whatever begins again
-//! grows on, and the list begins anew. What a pass sees, changes and costs is written down ([`Trace`]); `docs/passes.md` says what each
-//! earns.
+//! A pass reads the measurements of the layer ([`Correctable`]), and changes thresholds or restarts spots. After a restart the
+//! growth continues, and the list begins again. A log ([`Trace`]) records what a pass saw, changed and cost; `docs/passes.md`
+//! states what each contributes.
 
 mod correctable;
 mod found;

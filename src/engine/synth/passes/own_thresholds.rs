@@ -1,5 +1,5 @@
-//! The threshold of each drawn spot: the last per cents of its area. Factors of single spots change the mean of their region, for which
-//! those of the other spots make up.
+//! The threshold of each drawn spot, for the last per cents of its area. Factors of single spots change the mean of their region,
+//! which the factors of the other spots compensate.
 
 use super::thresholds::{Moved, NEAR};
 
@@ -11,19 +11,19 @@ const ROUNDS: usize = 3;
 pub struct SpotArea {
     /// ln(got ÷ drawn).
     pub error: f64,
-    /// Whether it has not grown together with another. The error of one that has tells nothing about its slope.
+    /// Whether it has not merged with another spot. The error of a merged spot gives no information about its slope.
     pub alone: bool,
 }
 
 /// A pattern whose spots can have thresholds of their own.
 pub trait OwnThresholds {
-    /// How many spots were drawn.
+    /// Number of drawn spots.
     fn drawn_count(&self) -> usize;
 
-    /// The areas of the drawn spots; `None` of those that have not grown.
+    /// The areas of the drawn spots; `None` for those that have not grown.
     fn drawn_areas(&self) -> Vec<Option<SpotArea>>;
 
-    /// ln(got ÷ wanted) of the mean area of the other spots, by region; `None` where they are too few.
+    /// ln(got ÷ wanted) of the mean area of the other spots, by region; `None` if they are too few.
     fn other_areas(&self) -> Vec<Option<f64>>;
 
     /// d ln area / d ln threshold.
@@ -33,20 +33,20 @@ pub trait OwnThresholds {
     fn set_own(&mut self, drawn: &[f64], others: &[f64]);
 }
 
-/// Thresholds of single spots that are moved round by round.
+/// Thresholds of single spots that are moved in rounds.
 pub struct OwnLevelling {
-    /// Of each drawn spot.
+    /// Logarithms of the factors of the drawn spots.
     drawn: Vec<f64>,
-    /// Logarithm of the factor of each where it was measured last, and how much larger ln area was than wanted.
+    /// Logarithm of the factor of each at the last measurement, and the excess of ln area.
     before: Vec<Option<[f64; 2]>>,
-    /// Of the other spots, by region.
+    /// Logarithms of the factors of the other spots, by region.
     others: Vec<f64>,
     range: [f64; 2],
     round: usize,
 }
 
 impl OwnLevelling {
-    /// Nothing has been moved yet. Factors stay in `range`.
+    /// The state before the first round. Factors stay in `range`.
     pub fn new(of: &impl OwnThresholds, regions: usize, range: [f64; 2]) -> Self {
         let drawn = of.drawn_count();
         Self {
@@ -58,8 +58,8 @@ impl OwnLevelling {
         }
     }
 
-    /// Moves the thresholds of the drawn spots so that they get the areas that were drawn, and those of the others so that they keep
-    /// their mean. Returns what was moved for which errors.
+    /// Moves the thresholds of the drawn spots towards the drawn areas, and those of the others so that their mean does not change.
+    /// Returns what was moved, with the errors.
     pub fn advance(&mut self, of: &mut impl OwnThresholds) -> Option<Moved> {
         if self.drawn.is_empty() || self.round == ROUNDS {
             return None;
@@ -89,8 +89,8 @@ impl OwnLevelling {
         Some(step)
     }
 
-    /// d ln area / d ln threshold of drawn spot `index`, whose ln area is too large by `error` now: `slope`, or steeper where the last
-    /// correction was too large. A flatter one would lead to larger corrections, which can make neighbours touch.
+    /// d ln area / d ln threshold of drawn spot `index`, whose ln area exceeds the drawn one by `error`: `slope`, or a steeper one
+    /// if the last correction was too large. A flatter one would lead to larger corrections, which can make neighbours touch.
     fn slope(&mut self, index: usize, error: f64, alone: bool, slope: f64) -> f64 {
         let now = alone.then_some([libm::log(self.drawn[index]), error]);
         let before = std::mem::replace(&mut self.before[index], now);
@@ -104,7 +104,8 @@ impl OwnLevelling {
 mod tests {
     use super::*;
 
-    /// Drawn spots and others of one region, whose areas go as a power of their thresholds. The drawn ones answer twice as much as told.
+    /// Drawn spots and others of one region, whose areas are powers of their thresholds. The true slope of the drawn ones is twice
+    /// the given one.
     struct Areas {
         drawn: Vec<f64>,
         other: f64,

@@ -7,27 +7,27 @@ pub enum Pass {
     Probes,
     /// The pattern grows until it has settled. Drawn marks are moved back to their places.
     Growth,
-    /// The threshold of each region: until areas or widths are as asked.
+    /// The threshold of each region is moved until areas or widths are as asked for.
     Thresholds,
-    /// The threshold of each drawn spot: until its area is as drawn. Those of the others make up for it.
+    /// The threshold of each drawn spot is moved until its area is as drawn. The thresholds of the other spots compensate for it.
     OwnThresholds,
-    /// Of a few spots that have grown together all but one are taken away; only the cells about them grow on.
+    /// If only a few spots have merged, all but one of each are removed, and only the cells about them are grown again.
     Parts,
     /// The best pattern so far is kept.
     Keep,
-    /// Of many spots that have grown together all but one are taken away.
+    /// If many spots have merged, all but one of each are removed.
     Separation,
-    /// Neighbours of drawn spots that have not grown are taken away, and what stands beside them begins again with them.
+    /// Neighbours of drawn spots that have not grown are removed, and the spots beside these are restarted with them.
     Room,
-    /// Drawn spots that differ grow on in other parameters; those that have not grown begin again.
+    /// Drawn spots with errors continue with corrected parameters; those that have not grown are restarted.
     Corrections,
-    /// Drawn spots that grow together with another, whatever their parameters, are left out.
+    /// Drawn spots that merge with another one with any parameters are left out.
     LeavingOut,
-    /// Spots that have grown by half begin again.
+    /// Half-grown spots are restarted.
     Mending,
-    /// Marks beneath turn and stretch the spots between them: the layer grows once more, from parameters that make up for it.
+    /// Marks beneath rotate and stretch the spots between them: the layer grows once more, with parameters that compensate for it.
     Bias,
-    /// Edges are made as ragged as asked.
+    /// Edges get the raggedness that is asked for.
     Raggedness,
 }
 
@@ -81,10 +81,10 @@ impl Pass {
 pub struct PassSet(u16);
 
 impl PassSet {
-    /// None.
+    /// No pass.
     pub const NONE: Self = Self(0);
 
-    /// These and `pass`.
+    /// This set with `pass` added.
     #[must_use]
     pub fn with(self, pass: Pass) -> Self {
         Self(self.0 | 1 << pass as u16)
@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn a_set_has_what_was_put_into_it() {
+    fn a_set_contains_the_passes_that_were_added() {
         let set = PassSet::NONE.with(Pass::Room).with(Pass::Raggedness);
         let has: Vec<Pass> = Pass::ALL.into_iter().filter(|pass| set.has(*pass)).collect();
         assert_eq!(has, [Pass::Room, Pass::Raggedness]);

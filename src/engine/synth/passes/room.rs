@@ -4,18 +4,18 @@ use super::correctable::Correctable;
 use super::found::DrawnSpots;
 use super::restarts::Restart;
 
-/// What makes room for lost spots.
+/// The changes that make room for lost spots.
 #[derive(Default)]
 pub struct Room {
-    /// Spots that are taken away.
+    /// Spots that are removed.
     away: Vec<usize>,
-    /// Spots that begin again.
+    /// Spots that are restarted.
     again: Vec<usize>,
 }
 
 impl Room {
-    /// The room that is made for the `lost` spots: the nearest spot that was not drawn is taken from beside each, and it begins
-    /// again at the same time as the nearest drawn one, since beside one that has already grown it would die again.
+    /// The changes that make room for the `lost` spots: beside each, the nearest spot that was not drawn is removed, and the
+    /// nearest drawn one is restarted together with it. Beside a neighbour that has already grown it would vanish again.
     pub fn beside(layer: &impl Correctable, lost: &[usize]) -> Self {
         let mut room = Self::default();
         for index in lost {
@@ -33,12 +33,12 @@ impl Room {
         room
     }
 
-    /// Whether none can be made.
+    /// Whether no room can be made.
     pub fn is_none(&self) -> bool {
         self.again.is_empty()
     }
 
-    /// Makes it. The other drawn spots that are corrected, or begin again, do so at the same time.
+    /// The restart that makes the room. Other drawn spots that are corrected or restarted are included.
     pub fn made(self, drawn: &DrawnSpots) -> Restart {
         let Self { away, again: undo } = self;
         let others = drawn.lost.iter().filter(|index| !undo.contains(index));

@@ -1,39 +1,39 @@
-//! Which further restarts are worth their time.
+//! Decides which further restarts are worth their time.
 
 use super::found::{DrawnSpots, MergedSpots};
 
-/// How often each pass has let spots begin again.
+/// Numbers of restarts by each pass.
 #[derive(Clone, Debug)]
 pub struct Rounds {
     /// All corrections.
     rounds: usize,
     /// Corrections of spots that grew.
     corrections: usize,
-    /// The error before the last one.
+    /// The error before the last correction.
     error: f64,
-    /// How often each spot began again.
+    /// Number of restarts of each spot.
     begun: Vec<usize>,
-    /// How often spots that had grown together were separated.
+    /// Number of separations of merged spots.
     separations: usize,
-    /// Whether room was made for lost ones.
+    /// Whether room has been made for lost spots.
     room: bool,
-    /// How often marks that had grown by half were mended.
+    /// Number of times half-grown marks were restarted.
     mended: usize,
-    /// How many had grown by half when that was last asked.
+    /// Number of half-grown marks at the last call.
     half: usize,
 }
 
-/// Corrections at most: where some spots vanish when others come back it would go on for long.
+/// Most corrections: if some spots vanish when others reappear, corrections would go on for long.
 const ROUNDS: usize = 4;
-/// Corrections of spots that grew, at most.
+/// Most corrections of spots that grew.
 const CORRECTIONS: usize = 2;
-/// A second correction is made where the first left less than this share of the error.
+/// A second correction is made if the first one left less than this share of the error.
 const IMPROVED: f64 = 0.8;
-/// Spots that have grown together are separated so often at most.
+/// Most separations of merged spots.
 const SEPARATIONS: usize = 2;
-/// Marks that have grown by half are mended so often at most.
+/// Most restarts of half-grown marks.
 const MENDED: usize = 2;
-/// A spot begins again so often at most.
+/// Most restarts of a spot.
 const BEGINNINGS: usize = 2;
 
 impl Default for Rounds {
@@ -53,14 +53,14 @@ impl Default for Rounds {
 }
 
 impl Rounds {
-    /// Whether to separate the `merged` spots, which is then counted.
+    /// Whether to separate the `merged` spots; if so, the separation is counted.
     pub fn separate(&mut self, merged: &MergedSpots) -> bool {
         let separates = !merged.surplus.is_empty() && self.separations < SEPARATIONS;
         self.separations += usize::from(separates);
         separates
     }
 
-    /// Whether to mend the marks that have grown by half, `half` of them, which is then counted: once more where it has left fewer.
+    /// Whether to restart the `half` half-grown marks; if so, it is counted. A second time only if the first one has left fewer.
     pub fn mend(&mut self, half: usize) -> bool {
         let mends = half > 0 && half < self.half && self.mended < MENDED;
         self.mended += usize::from(mends);
@@ -68,8 +68,8 @@ impl Rounds {
         mends
     }
 
-    /// Whether to make room for the drawn spots that are lost before they begin again: once, since beside the same neighbours many of
-    /// them vanish again, or stay small. Afterwards they and what stands beside them are corrected as at first.
+    /// Whether to make room for the lost drawn spots before they are restarted. This is done once, since beside the neighbours of
+    /// before many of them vanish again, or stay small. Afterwards they and the spots beside them are corrected as at first.
     pub fn make_room(&mut self, found: &DrawnSpots) -> bool {
         let makes_room = !found.lost.is_empty() && !self.room;
         self.room |= makes_room;
@@ -81,22 +81,22 @@ impl Rounds {
         makes_room
     }
 
-    /// Whether to leave out the drawn spots that are too near to each other, which are then forgotten.
+    /// Whether to leave out the drawn spots that are too near to each other; they are then no longer counted.
     pub fn leave_out(&mut self, merged: &MergedSpots) -> bool {
         let mut index = 0;
         self.begun.retain(|_| {
             index += 1;
             !merged.crowded.contains(&(index - 1))
         });
-        // Their neighbours may differ again.
+        // The errors of their neighbours may change.
         self.error = f64::INFINITY;
         !merged.crowded.is_empty()
     }
 
-    /// Whether to make the correction `found`, which is then counted.
+    /// Whether to make the correction `found`; if so, it is counted.
     pub fn is_worth(&mut self, found: &DrawnSpots) -> bool {
         self.begun.resize(found.count, 0);
-        // What grew worse is not mended by more of the same.
+        // If a correction made the pattern worse, another one will not improve it.
         let begins =
             found.error <= self.error && found.lost.iter().any(|index| self.begun[*index] < BEGINNINGS);
         let improves = found.error < IMPROVED * self.error && self.corrections < CORRECTIONS;

@@ -1,4 +1,4 @@
-//! The loop.
+//! The loop that runs the passes.
 
 use super::correctable::{Correctable, Grown};
 use super::found::MergedSpots;
@@ -13,12 +13,12 @@ use crate::synth::error::LayerError;
 use crate::synth::profile;
 use crate::synth::watch::Stage;
 
-/// What a call of [`Passes::advance`] has done.
+/// The result of a call of [`Passes::advance`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Step {
     /// The work, in cell updates; px that are measured count as much.
     pub updates: u64,
-    /// Whether there is something new to see.
+    /// Whether the picture has changed.
     pub seen: bool,
     /// Whether no pass is left.
     pub done: bool,
@@ -37,15 +37,15 @@ pub struct Passes {
     trace: Trace,
 }
 
-/// What a pass has done.
+/// The result of a pass.
 enum Change {
-    /// Nothing was to be done.
+    /// There was nothing to do.
     Nothing,
-    /// So much work; it goes on.
+    /// Part of the work, with its amount; the pass continues.
     Part(u64),
-    /// So much work; it is done.
+    /// The rest of the work, with its amount.
     All(u64),
-    /// Spots begin again.
+    /// Spots have been restarted.
     GrowsOn,
 }
 
@@ -66,7 +66,7 @@ const LIST: [Pass; 12] = [
 ];
 
 impl Passes {
-    /// All passes but those `without`; unless it `corrects`, only growth and raggedness.
+    /// All passes except those in `without`; if not `corrects`, only growth and raggedness.
     #[must_use]
     pub fn new(corrects: bool, without: PassSet) -> Self {
         let mut trace = Trace::default();
@@ -84,7 +84,7 @@ impl Passes {
         }
     }
 
-    /// What they have seen, changed and cost so far.
+    /// The log of what the passes have seen, changed and cost so far.
     #[must_use]
     pub fn trace(&self) -> &Trace {
         &self.trace
@@ -96,7 +96,7 @@ impl Passes {
         self.next == 0
     }
 
-    /// What is being done, and the share of it that is done; `growth` is that of the growth.
+    /// The current stage of the work, and the share of it that is done; `growth` is the share of the growth.
     #[must_use]
     pub fn progress(&self, growth: f64) -> (Stage, f64) {
         match (LIST.get(self.next), &self.levelling) {
@@ -126,7 +126,7 @@ impl Passes {
             self.next = next;
             if let Some(updates) = updates {
                 self.trace.add(updates, profile::time() - before);
-                // The budget ends with a growth, so that what grows on afterwards has a whole one: films show the same moments.
+                // A growth ends the use of the budget, so that a following growth has a whole one: films then show equal moments.
                 let has_settled = *pass == Pass::Growth && next > 0;
                 let updates = if has_settled { updates.max(budget) } else { updates };
                 return Ok(Step { updates, seen, done: false });
@@ -179,7 +179,7 @@ impl Passes {
         })
     }
 
-    /// Lets spots begin again, where that is worth it.
+    /// Restarts spots if that is worth its time.
     fn begin_again(&mut self, pass: Pass, layer: &mut impl Correctable) -> Change {
         match pass {
             Pass::Separation if self.rounds.separate(layer.merged()) => {
@@ -240,7 +240,7 @@ impl Passes {
         Change::All(layer.measured())
     }
 
-    /// Separates spots that have grown together, where they are few.
+    /// Separates merged spots if they are few.
     fn separate_parts(&mut self, layer: &mut impl Correctable) -> Change {
         if self.parts {
             return match layer.grow_parts() {
@@ -263,20 +263,20 @@ impl Passes {
         Change::Part(layer.measured())
     }
 
-    /// Lets spots begin again for `pass`, which saw so much.
+    /// Restarts spots for `pass`, with the value that it `saw`.
     fn restart(&mut self, pass: Pass, layer: &mut impl Correctable, restart: &Restart, saw: f64) -> Change {
         layer.restart(restart);
         self.grows_on(pass, saw, restart.count())
     }
 
-    /// Writes down that `pass` has changed the layer, which grows on.
+    /// Logs that `pass` has changed the layer, whose growth continues.
     fn grows_on(&mut self, pass: Pass, saw: f64, changed: usize) -> Change {
         self.trace.begin(pass, saw, changed);
         self.trace.add_round();
         Change::GrowsOn
     }
 
-    /// Writes down another round of `pass`.
+    /// Logs another round of `pass`.
     fn goes_on(&mut self, pass: Pass, saw: f64, changed: usize) {
         if self.trace.entries().last().is_none_or(|entry| entry.pass != pass) {
             self.trace.begin(pass, saw, changed);

@@ -1,14 +1,14 @@
 use super::*;
 use crate::synth::passes::{DrawnSpots, OwnThresholds, SpotArea, Thresholds};
 
-/// A layer without a canvas: three drawn spots and two others on a line, of which some do not grow at first.
+/// A layer without a canvas: three drawn spots and two others on a line, some of which do not grow at first.
 #[derive(Default)]
 struct OnALine {
     growths: usize,
     compared: usize,
     kept: usize,
     restarts: Vec<Restart>,
-    /// Of each growth: how many of the drawn spots are lost, and which spots have grown together.
+    /// For each growth, the lost drawn spots and the merged spots.
     found: Vec<(Vec<usize>, MergedSpots)>,
     drawn: DrawnSpots,
     merged: MergedSpots,
@@ -125,7 +125,7 @@ impl Correctable for OnALine {
 fn run(layer: &mut OnALine, corrects: bool, without: PassSet) -> Vec<Pass> {
     let mut passes = Passes::new(corrects, without);
     while !passes.advance(layer, u64::MAX).expect("it grows").done {}
-    // What was done, whatever the budget.
+    // The work that was done does not depend on the budget.
     assert!(
         passes.trace().entries().iter().all(|entry| (1..1_000).contains(&entry.updates)),
         "{:?}",

@@ -1,12 +1,12 @@
-//! The last per cents of areas and widths come from the thresholds: the share of the peak that is the edge of a mark, one factor a region
-//! of a canvas, or about an anchor of a surface.
+//! Thresholds for the last per cents of areas and widths. A threshold is the share of the peak at the edge of a mark; it has one
+//! factor for each region of a canvas, or about each anchor of a surface.
 //!
-//! A secant method: d ln size / d ln threshold is known for each system, and better after the first step.
+//! A secant method: d ln size / d ln threshold is known for each system, and measured more accurately in the first step.
 
-/// Steps at most. Two are mostly enough: after them none of four regions of cheetah-run and zebra differed by more than 0.01 % (area) or
-/// 0.06 % (width).
+/// Most steps. Two are usually enough: after them none of four regions of cheetah-run and zebra differed by more than 0.01 % (area)
+/// or 0.06 % (width).
 const ROUNDS: usize = 8;
-/// Areas and widths nearer than this to what was asked are not corrected: half the error of the measurement.
+/// Relative errors of areas and widths below this are not corrected: half the error of the measurement.
 pub(super) const NEAR: f64 = 0.001;
 
 /// A pattern whose thresholds can be moved.
@@ -14,26 +14,27 @@ pub trait Thresholds {
     /// The factors of the looked-up thresholds, by region.
     fn thresholds(&self) -> &[f64];
 
-    /// The least and the largest factor that may be used. Beyond them the parameters are wrong, and a threshold would hide that.
+    /// The least and the largest factor that may be used. Beyond them the parameters are wrong, and a threshold would only hide
+    /// that.
     fn range(&self) -> [f64; 2];
 
-    /// d ln size / d ln threshold as it is known before any step, by region.
+    /// d ln size / d ln threshold before any step, by region.
     fn slopes(&self) -> Vec<f64>;
 
     /// got ÷ wanted − 1 of area or width with these thresholds, by region; `None` where nothing is measured.
     fn size_errors(&self) -> &[Option<f64>];
 
-    /// Moves the logarithms of the thresholds so that their means within the regions step as wanted, nearly, and measures again. Returns
-    /// by how much these means have stepped.
+    /// Changes the logarithms of the thresholds so that their means within the regions change by about `wanted`, and measures
+    /// again. Returns the changes of these means.
     fn step(&mut self, wanted: &[Option<f64>]) -> Vec<f64>;
 }
 
-/// What was moved in a step.
+/// The changes in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moved {
     /// The largest relative error before.
     pub largest: f64,
-    /// How many regions, or spots, were moved.
+    /// Number of regions, or spots, that were changed.
     pub count: usize,
 }
 
@@ -45,7 +46,7 @@ pub struct Levelling {
 }
 
 impl Levelling {
-    /// Nothing has been moved yet.
+    /// The state before the first step.
     #[must_use]
     pub fn new(of: &impl Thresholds) -> Self {
         Self { slope: of.slopes(), round: 0 }
@@ -57,7 +58,7 @@ impl Levelling {
         self.round as f64 / ROUNDS as f64
     }
 
-    /// Makes a step, where one is needed. Returns what was moved for which errors.
+    /// Makes a step if one is needed. Returns what was moved, with the errors.
     pub fn advance(&mut self, of: &mut impl Thresholds) -> Option<Moved> {
         let sizes = || of.size_errors().iter().flatten().map(|error| error.abs());
         let is_near = sizes().all(|error| error < NEAR);
@@ -70,7 +71,7 @@ impl Levelling {
         let errors = of.size_errors().to_vec();
         let wanted = |((error, slope), factor): ((&Option<f64>, &f64), &f64)| {
             let step = -libm::log1p((*error)?) / slope;
-            // At the end of the range it stays, and those around it must not count on it.
+            // At the end of the range a factor stays, and the regions around it must take this into account.
             (*factor != if step < 0.0 { least } else { largest }).then_some(step)
         };
         let wanted: Vec<Option<f64>> =
@@ -82,7 +83,7 @@ impl Levelling {
             let (Some(old), Some(new)) = (old, new) else { continue };
             if moved.abs() > 1e-4 {
                 let found = (libm::log1p(*new) - libm::log1p(*old)) / moved;
-                // Marks across a border are measured in one region; a slope of the wrong sign would diverge.
+                // Marks across a border are measured in one region only; a slope of the wrong sign would diverge.
                 let [low, high] = if *slope < 0.0 { [2.0, 0.5] } else { [0.5, 2.0] };
                 *slope = found.clamp(low * *slope, high * *slope);
             }
@@ -95,14 +96,14 @@ impl Levelling {
 mod tests {
     use super::*;
 
-    /// Sizes that go as a power of their thresholds, in regions that do not touch.
+    /// Sizes that are powers of their thresholds, in regions that do not touch.
     struct Powers {
         factors: Vec<f64>,
         errors: Vec<Option<f64>>,
     }
 
     impl Powers {
-        /// The true slope is twice what is told.
+        /// The true slope is twice the given one.
         const SLOPE: f64 = -2.4;
 
         fn of(first: &[f64]) -> Self {
@@ -157,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_near_is_left_and_what_cannot_be_reached_ends_at_the_range() {
+    fn small_errors_are_left_and_unreachable_sizes_end_at_the_range() {
         assert_eq!(levelled(&[0.5 * NEAR]).1, 0);
         let (powers, rounds) = levelled(&[9.0]);
         assert_eq!((powers.factors[0], rounds), (1.5, ROUNDS));

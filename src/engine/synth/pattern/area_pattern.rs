@@ -1,4 +1,4 @@
-//! The pattern of a field that is above ½ in its areas: patches, cells, streaks, cracks, fields of points.
+//! The pattern of a field that is above ½ inside areas: patches, cells, streaks, cracks, fields of points.
 
 use std::ops::Range;
 
@@ -15,7 +15,7 @@ pub struct AreaPattern {
 }
 
 impl AreaPattern {
-    /// The pattern of a field that is above ½ in areas.
+    /// The pattern of a field that is above ½ inside areas.
     #[must_use]
     pub fn new(field: &Field) -> Self {
         Self {

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use crate::grid::Field;
 
-/// The pattern value at the edge of a mark; a mark covers what is not below it.
+/// The pattern value at the edge of a mark. A px is covered by a mark if its value is not below it.
 pub const EDGE: f32 = 0.5;
 
 /// A pattern that can be shown at any size.
@@ -28,7 +28,7 @@ pub trait PatternRows: Send + Sync {
     fn field(&self, width: usize, height: usize) -> Field;
 }
 
-/// The pattern of a layer, of whatever kind it is.
+/// The pattern of a layer of any kind.
 pub type LayerPattern<'a> = Box<dyn PatternRows + 'a>;
 
 /// u → the pattern: the smooth monotone map of 0..1 onto itself that takes `level` to ½,

@@ -1,8 +1,8 @@
-//! What to change where a field of points has one value everywhere.
+//! Advice if a field of points has one value everywhere.
 
 use crate::document::Labels;
 
-/// Why all points of these labels can have the same value, and what to change.
+/// The reason why all points with these labels can have one value, and what to change.
 #[must_use]
 pub fn advice(labels: &Labels) -> &'static str {
     match labels {

@@ -1,11 +1,11 @@
-//! What `check` says of a layer of a field of points.
+//! The output of `check` for a field of points.
 
 use serde_json::json;
 
 use crate::synth::kind::{Described, Request};
 use crate::synth::points::plan::FieldPlan;
 
-/// What would grow, and what of the sketch decides it.
+/// A description of the layer that would grow, and of the attributes of the sketch that it follows.
 pub(super) fn described(plan: &FieldPlan, request: &Request, mut notes: Vec<String>) -> Described {
     notes.extend(plan.notes.iter().cloned());
     let mut json = json!({"system": request.document.layers[request.index].system.name(),
@@ -19,7 +19,7 @@ pub(super) fn described(plan: &FieldPlan, request: &Request, mut notes: Vec<Stri
     Described::new(reach(plan, request.index), notes, json)
 }
 
-/// What of the sketch decides what grows.
+/// The attributes of the sketch that the growth follows.
 fn honoured(plan: &FieldPlan) -> Vec<&'static str> {
     let drawn = plan.drawn > 0;
     let distance = drawn && plan.points.distance.is_none();

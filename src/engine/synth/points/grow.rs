@@ -1,4 +1,4 @@
-//! Plans of fields of points → what grows.
+//! The growth of fields of points from their plan.
 
 use rayon::prelude::*;
 
@@ -14,18 +14,18 @@ use crate::synth::points::plan::FieldPlan;
 use crate::synth::profile::{Section, during};
 use crate::synth::watch::Stage;
 
-/// The level of the edge.
+/// The threshold of the edge.
 const EDGE: f32 = 0.5;
-/// What is not told apart from flat.
+/// Range of values below which a field counts as flat.
 const FLAT: f32 = 1e-4;
 
-/// Times that the level is set: each takes away what the share shown was off.
+/// Rounds of setting the threshold: each removes the error of the share that is shown.
 const ROUNDS: usize = 4;
-/// A share that is right within this needs no other round.
+/// An error of the share below this needs no other round.
 const CLOSE: f64 = 2e-4;
-/// A grid of fewer cells is looked at between them, too.
+/// A grid of fewer cells is sampled between them, too.
 const FEW: usize = 300_000;
-/// Rows that are looked at together.
+/// Rows that are tested together.
 const ROWS: usize = 32;
 
 /// A layer of a field of points that grows.
@@ -34,10 +34,10 @@ pub struct PointsGrowth {
     plan: FieldPlan,
     /// Cells in which no point may be dark; empty = none.
     blocked: Vec<bool>,
-    /// Moments in which the points of an octave appear.
+    /// Number of moments of a film in which the points of an octave appear.
     stages: usize,
     growth: Option<FieldGrowth>,
-    /// The number of what is seen now, 1 = the first, and its field.
+    /// The number of the current field (1 = the first) and the field itself.
     now: (u64, Option<Field>),
     grown: Option<GrownPoints>,
 }
@@ -102,7 +102,7 @@ impl PointsGrowth {
         Ok(Advanced { updates: cells as u64, seen: true, done: true })
     }
 
-    /// The field with the share that is wanted.
+    /// The field, with its threshold moved to the wanted share.
     fn levelled(&self, mut field: Field, points: usize) -> Result<GrownPoints, LayerError> {
         let plan = self.plan.clone();
         let [low, high] =
@@ -117,7 +117,7 @@ impl PointsGrowth {
         Ok(GrownPoints { plan, field, points, share })
     }
 
-    /// What is being done, and the share of it that is done.
+    /// The current stage, and the finished share of it.
     #[must_use]
     pub fn progress(&self) -> (Stage, f64) {
         match (&self.grown, &self.growth) {
@@ -126,21 +126,21 @@ impl PointsGrowth {
         }
     }
 
-    /// The number of what there is, 1 = the first, and its field; `None` where nothing is to be seen.
+    /// The number of the current field (1 = the first) and the field itself; `None` while there is nothing to show.
     #[must_use]
     pub fn now(&self) -> Option<(u64, &Field)> {
         let grown = self.grown.as_ref().map(|grown| &grown.field);
         Some((self.now.0, grown.or(self.now.1.as_ref())?))
     }
 
-    /// What has grown.
+    /// The grown points; `None` before the end.
     #[must_use]
     pub fn complete(self) -> Option<GrownPoints> {
         self.grown
     }
 }
 
-/// Moves the level of a field until what it shows beside the cells that are `taken` is the `wanted` share. Gives the share.
+/// Moves the threshold of a field until its pattern outside the `taken` cells has the `wanted` share. Returns the share.
 fn levelled(field: &mut Field, wanted: f64, taken: &[bool]) -> f64 {
     let mut asked = wanted;
     let mut best: Option<(f64, Field)> = None;
@@ -161,8 +161,8 @@ fn levelled(field: &mut Field, wanted: f64, taken: &[bool]) -> f64 {
     share
 }
 
-/// The share of the pattern of a field that is above the edge, beside the cells that are `taken`: as it is seen, between its cells too, where a
-/// spline runs through them.
+/// The share of the pattern of a field that is above the edge, outside the `taken` cells. It is sampled between cells, too, by the
+/// spline through them, as it is shown.
 fn shown(field: &Field, taken: &[bool]) -> f64 {
     let times = if field.values.len() < FEW { 2 } else { 1 };
     let [width, height] = [times * field.width, times * field.height];

@@ -1,4 +1,4 @@
-//! What has grown on layers of fields of points.
+//! Grown layers of fields of points.
 
 use crate::grid::Field;
 use crate::synth::pattern::AreaPattern;
@@ -7,13 +7,13 @@ use crate::synth::points::plan::FieldPlan;
 /// A grown field of points.
 #[derive(Clone)]
 pub struct GrownPoints {
-    /// How it was planned.
+    /// The plan from which it grew.
     pub plan: FieldPlan,
     /// 0..1 on the grid; edges at ½.
     pub field: Field,
     /// Points of all octaves.
     pub points: usize,
-    /// The share of what the layers beneath left free that is above the edge, 0..1.
+    /// The share above the edge, of the area that the layers beneath left free, 0..1.
     pub share: f64,
 }
 

@@ -25,10 +25,10 @@ use crate::synth::watch::Stage;
 #[derive(Debug)]
 pub struct Points;
 
-/// Bytes a cell of a field of points, beside its points: 4000² cells with 311,000 points took 388 MB in all, 2000² with 700,000 points 657,
-/// for which 532 and 707 are allowed.
+/// Memory per cell of a field of points, besides its points, bytes: 4000² cells with 311,000 points took 388 MB in all, 2000² with
+/// 700,000 points 657 MB; 532 and 707 MB are reserved.
 const CELL: f64 = 12.0;
-/// Seconds of a field of points a cell and octave at L = 1, whose square each cell's supports go with.
+/// Time per cell and octave of a field of points at L = 1, s; the supports of each cell increase with the square of L.
 const CELL_SECONDS: f64 = 1.5e-7;
 /// Cells along a side of the field whose painting is timed.
 const PAINTED: usize = 64;
@@ -38,7 +38,7 @@ impl Kind for Points {
     type Growth<'a> = PointsGrowth;
     type Grown = GrownPoints;
 
-    /// The distances of points can follow from the size of the canvas.
+    /// The distances of points can depend on the size of the canvas.
     const SCALES: bool = false;
 
     fn takes(document: &Document, index: usize) -> bool {

@@ -16,44 +16,44 @@ use crate::points::metric::Metric;
 use crate::synth::drawn::maps::modulation;
 use crate::synth::drawn::sketch_targets::{marks, region_map};
 
-/// Cells of the grid in the radius of the finest discs. With 3, as of patches, creases of folded fields were beads, and the share of forty points
-/// was off by .4 %.
+/// Cells of the grid per radius of the finest discs. With 3, as for patches, creases of folded fields looked like beads, and the
+/// share of forty points had an error of 0.4 %.
 const CELLS: f64 = 6.0;
-/// Cells of the grid in the radius of the finest discs where fields are folded: their creases have no width.
+/// Cells of the grid per radius of the finest discs if fields are folded: their creases have no width.
 const FOLDED: f64 = 24.0;
-/// Smallest cell of interpolated fields, px: what is finer cannot be seen on the canvas.
+/// Smallest cell of interpolated fields, px: finer details cannot be seen on the canvas.
 const SMALLEST: f64 = 1.0;
-/// The cells of fields without interpolation, px: a px then shows the mean of four, so that their corners have no steps.
+/// The cell of fields without interpolation, px: a px then shows the mean of four cells, so that corners have no steps.
 const SHARP: f64 = 0.5;
 /// Largest cell, px ÷ the longer side of the canvas: a field of a single disc still has a form.
 const COARSEST: f64 = 1.0 / 128.0;
-/// Distance of a drawn ellipse that stands alone ÷ the radius of the circle of its area.
+/// Assumed distance of a single drawn ellipse from its neighbours, in radii of the circle of its area.
 const ALONE: f64 = 3.0;
-/// Discs are no smaller, in longer sides of the canvas, as [`poisson_discs`](crate::points::discs::poisson_discs) lays them.
+/// Smallest discs, in longer sides of the canvas, as in [`poisson_discs`](crate::points::discs::poisson_discs).
 const FINEST: f64 = 1.0 / 2_000.0;
-/// Spots side by side cover area ÷ (this · spacing²): between a square lattice, 1, and a hexagonal one, .87.
+/// Spots side by side cover area ÷ (this · spacing²): a value between those of a square lattice, 1, and a hexagonal one, 0.87.
 const LATTICE: f64 = 0.9;
 
 /// A field of points that is ready to grow.
 #[derive(Clone, Debug)]
 pub struct FieldPlan {
-    /// What it is made of.
+    /// The settings of the points.
     pub points: Points,
     /// Area and spacing of the drawn ellipses, if there are any.
     pub map: Option<AttributeMap>,
     /// The grid over the canvas, px.
     pub grid: Grid,
-    /// How many ellipses were drawn.
+    /// Number of drawn ellipses.
     pub drawn: usize,
     /// The smallest and the largest distance of points anywhere, px.
     pub distances: [f64; 2],
-    /// The share that is asked for where no map varies it.
+    /// The share that is asked for, before maps vary it.
     unvaried_share: Option<f64>,
-    /// The share of what the layers beneath leave free that is to be above the edge; `None` = as it comes.
+    /// The share above the edge, of the area that the layers beneath leave free; `None` = the share that results.
     pub share: Option<f64>,
-    /// How maps vary the distance of points and the area of what is dark.
+    /// Variation of the distance of points and the area of dark parts by maps.
     varied: Option<Modulation>,
-    /// What the user should know.
+    /// Notes for the user.
     pub notes: Vec<String>,
     /// Cells of the grid that the marks of the layers beneath have taken; empty = none.
     pub obstacles: Vec<bool>,
@@ -119,15 +119,15 @@ impl FieldPlan {
         self.grid.px_a_cell()
     }
 
-    /// The radius of the discs at a place, px, as the maps vary it; beyond a closed border as at the nearest place on it.
+    /// The radius of the discs at a place, px, including maps; beyond a closed border that at the nearest place on it.
     #[must_use]
     pub fn distance(&self, at: [f64; 2]) -> f64 {
         let own = self.unvaried_distance(at);
         self.changed(Modulated::Spacing, own, at).map_or(own, |distance| distance.max(POINT_DISTANCE.low))
     }
 
-    /// The radius of the discs at a place without maps, px. Between the two ends of the progression it grows by the same factor
-    /// with each step, as what is seen of it does.
+    /// The radius of the discs at a place without maps, px. Between the two ends of the progression it is interpolated
+    /// geometrically, so that equal steps change the look equally.
     fn unvaried_distance(&self, at: [f64; 2]) -> f64 {
         match (self.points.distance, &self.map) {
             (Some([first, last]), _) if first == last => first,
@@ -137,7 +137,7 @@ impl FieldPlan {
         }
     }
 
-    /// The probability of dark points at a place, as a map of their area varies it; 0 where labels have none.
+    /// The probability of dark points at a place, including a map of their area; 0 for labels without one.
     #[must_use]
     pub fn dark(&self, at: [f64; 2]) -> f64 {
         let own = self.unvaried_dark(at);
@@ -145,13 +145,13 @@ impl FieldPlan {
         self.changed(Modulated::Area, own * cover, at).map_or(own, |area| (area / cover).clamp(0.0, 1.0))
     }
 
-    /// What the maps make of a value at a place; `None` where they do not vary it.
+    /// A value at a place as the maps vary it; `None` if they do not vary it.
     fn changed(&self, attribute: Modulated, value: f64, at: [f64; 2]) -> Option<f64> {
         self.varied.as_ref()?.changed(attribute, value, self.canvas().inside(at))
     }
 
-    /// The share of dark points at a place without maps. Where it is the same everywhere and a share is asked for, it is that
-    /// share, or there might be no level for it.
+    /// The share of dark points at a place without maps. If it is constant and a share is asked for, it is that share; otherwise
+    /// there might be no threshold for it.
     fn unvaried_dark(&self, at: [f64; 2]) -> f64 {
         match &self.points.labels {
             Labels::Random { dark: [first, last] } => match self.unvaried_share {
@@ -163,7 +163,7 @@ impl FieldPlan {
         }
     }
 
-    /// How its points get their values; `dark` is [`Self::dark`].
+    /// The method that gives its points their values; `dark` is [`Self::dark`].
     #[must_use]
     pub fn labelling<'a>(&self, dark: &'a (dyn Fn([f64; 2]) -> f64 + Sync)) -> Labelling<'a> {
         match self.points.labels {
@@ -178,7 +178,7 @@ impl FieldPlan {
         }
     }
 
-    /// Where weights are shifted to.
+    /// The direction in which weights are shifted.
     #[must_use]
     pub fn shift(&self) -> Shift {
         match self.points.towards {
@@ -188,19 +188,19 @@ impl FieldPlan {
         }
     }
 
-    /// Whether each cell takes the value of one point.
+    /// Whether each cell takes the value of a single point.
     #[must_use]
     pub fn is_sharp(&self) -> bool {
         self.points.interpolation == Interpolation::Nearest
     }
 
-    /// About how many points it has on the canvas.
+    /// The approximate number of points on the canvas.
     #[must_use]
     pub fn expected_points(&self) -> f64 {
         self.points_each() * expected_points(&self.canvas(), &|at| self.distance(at), self.points.octaves)
     }
 
-    /// Points of each disc.
+    /// Number of points for each disc.
     fn points_each(&self) -> f64 {
         match self.points.labels {
             Labels::SpaceGiraffe { rays: [least, most] } => 1.0 + f64::from(least + most),
@@ -210,7 +210,7 @@ impl FieldPlan {
         }
     }
 
-    /// What laying all of them takes, beyond closed borders too.
+    /// The work of laying all points, also beyond closed borders.
     #[must_use]
     pub fn laying(&self) -> Laying {
         let (canvas, axis) = (Extent::from(self.canvas()), self.points.axis);
@@ -224,7 +224,7 @@ impl FieldPlan {
         Laying { points: each * all.points, tries: each * all.tries, ..all }
     }
 
-    /// The cells where no point may be dark: those that are taken, and those nearer to them than one distance of points.
+    /// The cells in which no point may be dark: those that are taken, and cells closer to these than one distance of points.
     #[must_use]
     pub fn blocked(&self) -> Vec<bool> {
         let Some(ways) = nearest(&self.obstacles, &self.grid) else { return Vec::new() };
@@ -234,13 +234,13 @@ impl FieldPlan {
         ways.iter().enumerate().map(is_near).collect()
     }
 
-    /// How far along the progression a place is, 0..1.
+    /// The position of a place along the progression, 0..1.
     fn progress(&self, at: [f64; 2]) -> f64 {
         let bounds = self.canvas();
         let [x, y] = bounds.inside(at);
         let [width, height] = bounds.size;
         let along = |share: f64| {
-            // There and back, so that a tile has no seam.
+            // To the middle and back, so that a tile has no seam.
             let share = if bounds.edges == Edges::Wrap { 1.0 - (2.0 * share - 1.0).abs() } else { share };
             share.clamp(0.0, 1.0)
         };
@@ -255,7 +255,7 @@ impl FieldPlan {
         }
     }
 
-    /// The px of a picture over the canvas at a place, 0 = black, 1 = white; straight between their middles.
+    /// The brightness of a picture over the canvas at a place, 0 = black, 1 = white; linear between the centres of px.
     fn brightness(&self, image: &ToneImage, at: [f64; 2]) -> f64 {
         let bounds = self.canvas();
         let (at, size) = (bounds.inside(at), image.size());
@@ -290,7 +290,7 @@ impl FieldPlan {
         [least, all.iter().copied().fold(0.0, f64::max)]
     }
 
-    /// The share that is asked for: by itself, as it is drawn, or by the probabilities.
+    /// The share that is asked for: in the options, by the drawn ellipses, or by the probabilities.
     fn wanted_share(&self) -> Option<f64> {
         if self.is_sharp() && self.points.labels.are_dark_or_light() && self.points.octaves == 1 {
             return None;
@@ -307,7 +307,7 @@ impl FieldPlan {
         asked.then(|| self.mean(|at| self.unvaried_dark(at)))
     }
 
-    /// The share of dark points as a map of the area varies it: by as much as their probability in the mean.
+    /// The share of dark points as a map of the area varies it: in proportion to the mean of their probability.
     fn varied_share(&self) -> Option<f64> {
         let share = self.unvaried_share?;
         if !self.varied.as_ref().is_some_and(|varied| varied.changes(Modulated::Area)) {
@@ -319,7 +319,7 @@ impl FieldPlan {
 
     /// The mean over the canvas.
     fn mean(&self, of: impl Fn([f64; 2]) -> f64) -> f64 {
-        /// Places along a side at which it is asked.
+        /// Number of places along a side at which it is sampled.
         const SAMPLES: usize = 128;
         let size = self.canvas().size;
         let place = |k: usize, axis: usize| (k as f64 + 0.5) / SAMPLES as f64 * size[axis];
@@ -327,11 +327,11 @@ impl FieldPlan {
         (0..SAMPLES * SAMPLES).map(at).sum::<f64>() / (SAMPLES * SAMPLES) as f64
     }
 
-    /// What is wrong where one point is all that a tile has room for, which makes one value.
+    /// The problem if a tile has room for only one point, which gives a single value.
     fn one_point(&self, index: usize) -> Option<Problem> {
         let Bounds { size, edges } = self.canvas();
         let most = 0.5 * libm::hypot(size[0], size[1]);
-        // The rays of a giraffe's cells have points of their own.
+        // The rays of the cells of a space giraffe have points of their own.
         let has_rays = matches!(self.points.labels, Labels::SpaceGiraffe { .. });
         let is_one = edges == Edges::Wrap && self.finest() > most && !has_rays;
         let allowed = format!(
@@ -351,7 +351,7 @@ impl FieldPlan {
     fn finest(&self) -> f64 {
         let finer = match self.points.labels {
             Labels::Image { passes, .. } => 0.5 * f64::from(passes - 1),
-            // Two points of a ray are a quarter of the distance of cells apart at most.
+            // Two points of a ray are at most a quarter of the distance of cells apart.
             Labels::SpaceGiraffe { .. } => 2.0,
             _ => 0.0,
         };
@@ -389,7 +389,7 @@ fn drawn_distance(wanted: &Attributes) -> f64 {
     spots.spacing.unwrap_or_else(|| ALONE * (spots.area / std::f64::consts::PI).sqrt())
 }
 
-/// The share that such ellipses cover.
+/// The share that these ellipses cover.
 fn drawn_share(wanted: &Attributes) -> f64 {
     let Attributes::Spots(Spots { area, .. }) = wanted else { unreachable!("made of ellipses") };
     let spacing = drawn_distance(wanted);

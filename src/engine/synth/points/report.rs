@@ -1,12 +1,12 @@
-//! What was asked of fields of points, and what grew.
+//! The report of fields of points: what was asked for, and what grew.
 
 use crate::synth::points::grown::GrownPoints;
 use crate::synth::report::{PointsReport, PointsShare};
 
-/// A share may be off by so much before it is said.
+/// Largest error of a share that is not noted.
 const OFF: f64 = 0.005;
 
-/// What became of a field of points.
+/// The report of a field of points.
 #[must_use]
 pub fn points_report(layer: &GrownPoints) -> PointsReport {
     let plan = &layer.plan;
@@ -18,7 +18,7 @@ pub fn points_report(layer: &GrownPoints) -> PointsReport {
     }
 }
 
-/// What the user should know of it.
+/// Notes for the user.
 #[must_use]
 pub fn notes(layer: &GrownPoints) -> Vec<String> {
     let mut notes = layer.plan.notes.clone();

@@ -6,13 +6,13 @@ use crate::export::motion::{COLOURS, Film, Kind};
 use crate::synth::error::GrowError;
 use crate::synth::render::film::{fitted, palette};
 
-/// px of the longer side of a frame by default: films are watched small.
+/// Default number of px of the longer side of a frame: films are usually watched small.
 pub const SIDE: u32 = 480;
 /// Allowed sides of a frame, px.
 pub const SIDES: std::ops::RangeInclusive<u32> = 16..=8192;
 /// Allowed frames a second.
 pub const RATES: std::ops::RangeInclusive<u16> = 1..=120;
-/// Most frames a second of a GIF: it counts in hundredths of a second, and browsers show one as ten.
+/// Most frames a second of a GIF: its unit is a hundredth of a second, and browsers show one hundredth as ten.
 pub const FASTEST_GIF: u16 = 50;
 /// Frames of the longest film.
 const MOST: f64 = 20_000.0;
@@ -26,7 +26,7 @@ pub struct Clip {
     pub seconds: f64,
     /// Frames a second.
     pub fps: u16,
-    /// Whether it stays at the last frame instead of repeating.
+    /// Whether the film stops at the last frame instead of repeating.
     pub once: bool,
     /// Seconds that the last frame is held before it repeats.
     pub hold: f64,
@@ -38,7 +38,7 @@ impl Default for Clip {
     }
 }
 
-/// Why there is no film.
+/// The reason why there is no film.
 #[derive(Debug, thiserror::Error)]
 pub enum ClipError {
     /// More frames a second than a GIF shows.
@@ -65,7 +65,7 @@ pub enum ClipError {
 }
 
 impl Clip {
-    /// How many frames a film of this `kind` has.
+    /// Number of frames of a film of this `kind`.
     ///
     /// # Errors
     /// [`ClipError::TooFast`], [`ClipError::Frames`].

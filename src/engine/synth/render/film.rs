@@ -4,10 +4,10 @@
 //!  grown once, painted small ──▶ change at each moment ──▶ moments of the frames ──▶ grown again, painted at these
 //! ```
 //!
-//! With x(t) the small pictures, red, green and blue, C(t) = Σ |x(tᵢ) − x(tᵢ₋₁)| over the moments up to t is the visible
-//! change. Frame k of n shows the first moment at which C ≥ C(end)·k/(n − 1): patterns change little at first, then quickly,
-//! then slowly for long, so that frames at equal times would show little but the end. No frame is stored: a growth is the
-//! same each time.
+//! With x(t) the small pictures (red, green and blue), C(t) = Σ |x(tᵢ) − x(tᵢ₋₁)| over the moments up to t is the visible change.
+//! Frame k of n shows the first moment at which C ≥ C(end)·k/(n − 1). Patterns change little at first, then quickly, then slowly
+//! for a long time, so that most frames at equal times would look like the end. No frame is stored: a growth can be repeated
+//! exactly.
 
 use crate::document::Document;
 use crate::export::{Stopped, downscale};
@@ -22,16 +22,16 @@ const EVERY: f64 = 0.1;
 /// px of the longer side of the small pictures.
 const SMALL: usize = 96;
 
-/// What is filmed.
+/// The content of a film.
 #[derive(Clone, Copy)]
 pub struct Scene<'a> {
     /// The document.
     pub document: &'a Document,
-    /// How it is grown.
+    /// Options of the growth.
     pub options: Options<'a>,
 }
 
-/// Why a film ended early.
+/// The reason why a film ended early.
 #[derive(Debug, thiserror::Error)]
 pub enum FilmError {
     /// The growth failed.
@@ -54,9 +54,9 @@ pub struct Takes {
 /// A moment of a growth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Moment {
-    /// Which growth: a layer may be grown twice.
+    /// The number of the growth: a layer may be grown twice.
     growth: usize,
-    /// Which snapshot of it.
+    /// The number of the snapshot in it.
     look: usize,
 }
 
@@ -69,7 +69,7 @@ struct Clock {
 }
 
 impl Clock {
-    /// The moment of this snapshot; and whether its layer started again.
+    /// The moment of this snapshot, and whether its layer has started again.
     fn tick(&mut self, look: &Snapshot) -> (Moment, bool) {
         let (layer, steps) = (look.beneath.len(), look.growing.steps);
         let again = layer == self.layer && steps < self.steps;
@@ -129,7 +129,7 @@ fn difference(a: &[u8], b: &[u8]) -> u64 {
     a.iter().zip(b).map(|(a, b)| u64::from(a.abs_diff(*b))).sum()
 }
 
-/// Grows on to the next moment. Returns whether there is one.
+/// Continues the growth up to the next moment. Returns whether there is one.
 fn moment(growth: &mut Growth, watch: &Watch) -> Result<bool, GrowError> {
     loop {
         let (stage, share) = growth.progress();
@@ -146,7 +146,7 @@ impl Takes {
     /// Grows a scene and finds the moments of `frames` frames, at least two.
     ///
     /// # Errors
-    /// See [`GrowError`].
+    /// Those of [`GrowError`].
     pub fn record(scene: &Scene, frames: usize) -> Result<Self, GrowError> {
         let Scene { document, options } = *scene;
         let small = fitted(options.size.unwrap_or(document.size), SMALL);
@@ -164,7 +164,7 @@ impl Takes {
         Ok(Self { grown, frames })
     }
 
-    /// How many frames there are.
+    /// Number of frames.
     #[must_use]
     pub fn frames(&self) -> usize {
         self.frames.len() + 1
@@ -209,7 +209,7 @@ pub fn fitted(canvas: [u32; 2], side: usize) -> [usize; 2] {
     canvas.map(|length| ((f64::from(length) / longest * side as f64).round() as usize).max(1))
 }
 
-/// A picture of `size` px. One smaller than the canvas is painted finer and averaged, so that thin marks do not flicker.
+/// A picture of `size` px. If it is smaller than the canvas, it is painted finer and averaged, so that thin marks do not flicker.
 pub(super) fn painted<'a>(
     paint: &dyn Fn([usize; 2]) -> Painting<'a>,
     canvas: [u32; 2],
@@ -223,11 +223,11 @@ pub(super) fn painted<'a>(
     downscale(&paint(fine).rgb(), fine, size)
 }
 
-/// Small pictures are painted at most so many times finer.
+/// Largest factor by which small pictures are painted finer.
 const FINEST: usize = 3;
 
-/// Up to `most` colours for films of these documents: evenly along the colours of their visible layers, and between those
-/// of the first and the last document.
+/// Up to `most` colours for films of these documents: evenly spaced in the colours of their visible layers, and between those of
+/// the first and the last document.
 #[must_use]
 pub fn palette(documents: &[&Document], most: usize) -> Vec<[u8; 3]> {
     let tables = |document: &Document| {

@@ -1,7 +1,8 @@
-//! A lit view of a material on a body: what its maps look like on a plane, a sphere or a cylinder.
+//! A lit view of a material on a plane, a sphere or a cylinder.
 //!
-//! Each px casts rays to the body; where one hits, the maps are read at the surface's coordinates, and a directional light and a
-//! sky are reflected: Lambert's law, and Cook and Torrance's with the distribution of Trowbridge and Reitz (GGX).
+//! Each px casts rays at the body. Where one hits, the maps are read at the coordinates of the surface, and the reflection of a
+//! directional light and of a sky is computed: by Lambert's law, and by Cook and Torrance's with the distribution of Trowbridge and
+//! Reitz (GGX).
 //!
 //! R. Cook, K. Torrance, "A Reflectance Model for Computer Graphics", SIGGRAPH 1981. B. Walter et al., "Microfacet Models for
 //! Refraction through Rough Surfaces", EGSR 2007.

@@ -1,13 +1,13 @@
 //! Morphing: one document becomes another.
 //!
-//! A(p) are the attributes that the marks of a document ask for at p. The grown state of the first document is simulated on
-//! while its attributes go from A₀ to A₁ (`RegionMap::blended`) along the smooth step s = t²(3 − 2t), frame by frame:
+//! A(p) are the attributes that a document asks for at p. The simulation continues from the grown state of the first document,
+//! while its attributes change from A₀ to A₁ (`RegionMap::blended`) along the smooth step s = t²(3 − 2t), frame by frame:
 //!
 //! ```text
 //!  state ──▶ parameters of A₀ + s·(A₁ − A₀) ──▶ some steps ──▶ a frame, and the next state
 //! ```
 //!
-//! Marks are not placed again: they grow, turn, move, split and vanish by themselves.
+//! Marks are not placed again: they grow, rotate, move, split and vanish by themselves.
 
 use crate::attributes::{AttributeMap, Polarity};
 use crate::document::{After, Document};
@@ -28,12 +28,12 @@ use crate::synth::render::painting::Painting;
 use crate::synth::training::Training;
 use crate::synth::watch::{Stage, Watch};
 
-/// Normalised time of the morph: spots drift for 100 to 300 to new places.
+/// Normalised time of the morph: spots need 100 to 300 to drift to new places.
 const TIME: f64 = 400.0;
 /// The share of the frames in which the attributes change; in the rest the pattern settles.
 const CHANGING: f64 = 0.8;
 
-/// Why one document cannot become another.
+/// The reason why one document cannot become another.
 #[derive(Debug, thiserror::Error)]
 pub enum MorphError {
     /// The two documents do not fit.
@@ -43,7 +43,7 @@ pub enum MorphError {
         from: String,
         /// The other.
         to: String,
-        /// What differs, and the remedy.
+        /// The difference, and the remedy.
         what: String,
     },
     /// The first document does not grow, or the other cannot be planned.
@@ -55,12 +55,12 @@ pub enum MorphError {
 #[derive(Clone)]
 pub struct Morph<'a> {
     documents: [&'a Document; 2],
-    /// What messages call the first document.
+    /// The name of the first document in messages.
     file: &'a str,
     training: &'a Training,
     machine: Machine,
     system: System,
-    /// Of the stripes of both documents.
+    /// The polarity of the stripes of both documents.
     polarity: Polarity,
     maps: [AttributeMap; 2],
     cell: f64,
@@ -73,7 +73,7 @@ pub struct Morph<'a> {
 pub type Named<'a> = (&'a Document, &'a str);
 
 impl<'a> Morph<'a> {
-    /// Grows the first document: the state from which the morph to `to` starts.
+    /// Grows the first document, whose state is the start of the morph to `to`.
     ///
     /// # Errors
     /// [`MorphError`]; documents of several layers, of other sizes or edges, of ellipses and lines are refused.
@@ -102,12 +102,12 @@ impl<'a> Morph<'a> {
             Err(error) => Err(LayerError::from(error).in_layer(file, 1)),
         };
         let systems = [system(choices[0], &maps[0], from.1)?, system(choices[1], &maps[1], to.1)?];
-        // A system chosen in one document is taken for the other where that is "auto".
+        // If one document names a system and the other is "auto", the named system is taken for both.
         let auto = choices.map(|choice| choice == crate::document::SystemChoice::Auto);
         let system = match (systems[0] == systems[1], auto) {
             (true, _) | (false, [false, true]) => systems[0],
             (false, [true, false]) => systems[1],
-            // Between two kinds of spots, those whose spacing follows from their size change steadily.
+            // For two kinds of spots, the system whose spacing follows from the size: its spots change steadily.
             (false, [true, true]) if let Some(system) = systems.into_iter().find(|s| is_packed(*s)) => system,
             _ => {
                 let [a, b] = systems.map(System::name);
@@ -153,7 +153,7 @@ impl<'a> Morph<'a> {
         Ok(found.map_err(|error| self.refused(error.into()))?.rough(Vec::new()))
     }
 
-    /// Why its layer does not grow.
+    /// The error of its layer.
     fn refused(&self, error: LayerError) -> GrowError {
         error.in_layer(self.file, 1)
     }
@@ -207,7 +207,7 @@ impl<'a> Morph<'a> {
         Ok(())
     }
 
-    /// Simulates the state with the parameters of `plan` for some normalised time.
+    /// Continues the simulation with the parameters of `plan` for `time` in normalised time.
     fn advance(&mut self, plan: &Plan, time: f64) -> Result<Field, GrowError> {
         let maps = plan.unpitched_maps();
         let state = with_obstacle_state(self.system, &maps, std::mem::take(&mut self.state));
@@ -236,14 +236,14 @@ impl<'a> Morph<'a> {
     }
 }
 
-/// The polarity in which the stripes of both maps can grow; `None` where there is none. Stripes half as wide as their period can
-/// grow in either.
+/// The polarity in which the stripes of both maps can grow; `None` if there is none. Stripes half as wide as their period can grow
+/// in either.
 fn common_polarity(maps: &[AttributeMap; 2]) -> Option<Polarity> {
     let all = |polarity: Polarity| maps.iter().all(|map| !polarity.excludes(map.mean_duty()));
     [Polarity::Positive, Polarity::Negative].into_iter().find(|polarity| all(*polarity))
 }
 
-/// Why one document cannot become another, whatever its marks.
+/// The difference that prevents one document from becoming another, whatever its marks.
 fn difference(from: &Document, to: &Document) -> Option<String> {
     for document in [from, to] {
         let [layer] = &document.layers[..] else {
@@ -269,7 +269,7 @@ fn difference(from: &Document, to: &Document) -> Option<String> {
     (from.edges != to.edges).then(|| "one wraps and the other is closed; allowed: the same edges".to_owned())
 }
 
-/// Whether it grows spots whose spacing follows from their size.
+/// Whether the system grows spots whose spacing follows from their size.
 fn is_packed(system: System) -> bool {
     !system.is_striped() && !system.description().free_spacing
 }

@@ -13,20 +13,20 @@ use crate::synth::pattern::LayerPattern;
 use crate::synth::render::painting::gradient_of;
 use crate::synth::watch::{Stage, Watch};
 
-/// The pattern value at which a layer's colour is taken: well inside a mark, short of its centre.
+/// The pattern value at which a layer's colour is read: well inside a mark, but not at its centre.
 const COLOUR_AT: f32 = 0.75;
 
-/// Traced values a cell of the grid along each side, at least: with fewer, the smallest spots lose half a per cent of
-/// their area.
+/// Least number of traced values per cell of the grid along each side: with fewer, the smallest spots lose half a per cent of their
+/// area.
 const A_CELL: f64 = 2.0;
-/// Traced values a cell of the grid along each side, at least, of pairs and areas, whose outlines have corners where threads
-/// cross and cells meet, and each loses the part of a step that is cut off. With two the holes of a basket lost 0.7 % of their
-/// area, and a px at the edge of a small space giraffe differed by 31 % of itself (by 17 % with four). And of tones, whose marks
-/// are a few cells wide, and end where the level of a px is far from its neighbour's: with two the dots of a portrait by Turing's
-/// growth lost 0.6 % of their area.
+/// Least number of traced values per cell of the grid along each side, for pairs, areas and tones. The outlines of pairs and areas
+/// have corners where threads cross and cells meet; each corner loses the part of a step that is cut off. With two values the holes
+/// of a basket lost 0.7 % of their area, and a px at the edge of a small space giraffe had a relative error of 31 % (17 % with
+/// four). The marks of tones are a few cells wide, and end where the thresholds of neighbouring px differ much: with two values the
+/// dots of a portrait by Turing's growth lost 0.6 % of their area.
 const A_CELL_WITH_CORNERS: f64 = 4.0;
 
-/// What is outlined, and how.
+/// The marks to be outlined, and the style.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outlining {
     /// The canvas, px.
@@ -35,16 +35,16 @@ pub struct Outlining {
     pub level: f64,
     /// The only layer that is outlined; `None` = all that are visible.
     pub only: Option<usize>,
-    /// What is left out.
+    /// Marks that are left out.
     pub smallest: Smallest,
-    /// How it is drawn.
+    /// Style of the drawing.
     pub style: Style,
 }
 
-/// The outlines of what `document` has `grown`, a group for each visible layer.
+/// The outlines of the `grown` layers of `document`, a group for each visible layer.
 ///
-/// A layer's marks end at those of the layers beneath, as in its picture. The hatch of a seamless document is the nearest
-/// one that is seamless, too.
+/// A layer's marks end at those of the layers beneath, as in its picture. For a seamless document the nearest seamless hatch is
+/// used.
 ///
 /// # Errors
 /// [`Stopped::Cancelled`].
@@ -78,7 +78,7 @@ pub fn outlines(
         style.hatch = style.hatch.map(|hatch| hatch.seamless(size));
     }
     let drawn = draw(layers, size, &style);
-    // Ordering a million strokes takes seconds, in which it may have been cancelled.
+    // Sorting a million strokes takes seconds, during which it may be cancelled.
     watch.step(Stage::Write, 1.0).map_err(|_| Stopped::Cancelled)?;
     Ok(drawn)
 }
@@ -95,7 +95,7 @@ pub fn ground(document: &Document) -> [u8; 3] {
     shown.map_or([255; 3], |(index, layer)| gradient_of(layer, index).colour(0.0))
 }
 
-/// How many values are traced a cell of its grid, along each side.
+/// Number of values that are traced per cell of its grid, along each side.
 fn a_cell(pattern: &LayerPattern) -> f64 {
     if pattern.has_corners() { A_CELL_WITH_CORNERS } else { A_CELL }
 }
@@ -120,7 +120,7 @@ fn layer_shapes(
             *value -= level;
         }
         for layer in beneath {
-            // Outside the mark, or inside one beneath.
+            // Outside the mark, or inside a mark beneath.
             for (value, taken) in values.iter_mut().zip(layer.rows(rows.clone(), width, height)) {
                 *value = value.min(level - taken);
             }

@@ -40,23 +40,23 @@ pub struct Painting<'a> {
     layers: Vec<LayerPattern<'a>>,
     tables: Vec<Table>,
     gradients: Vec<Gradient>,
-    /// How the places in the gradients vary.
+    /// Variation of the places in the gradients.
     colour_maps: Vec<Option<ColourMap>>,
     /// Width and height of the canvas, px.
     canvas: [f64; 2],
     visible: Vec<bool>,
-    /// Layers that only give their places to the next one, and cover nothing.
+    /// Layers whose marks are replaced by those of the next one; they cover nothing.
     replaced: Vec<bool>,
 }
 
 impl<'a> Painting<'a> {
-    /// What `document` has `grown`, with `scale` times the px along each side.
+    /// The painting of the `grown` layers of `document`, with `scale` times the px along each side.
     #[must_use]
     pub fn new(document: &Document, grown: &'a Grown, scale: usize) -> Self {
         Self::sized(document, grown, grown.size.map(|side| side as usize * scale))
     }
 
-    /// What `document`, or its lowest layers alone, has `grown`, at `size` px.
+    /// The painting of the `grown` layers of `document`, all or only its lowest ones, at `size` px.
     #[must_use]
     pub fn sized(document: &Document, grown: &'a Grown, size: [usize; 2]) -> Self {
         let layers = grown.layers.iter().take(document.layers.len());
@@ -103,7 +103,7 @@ impl<'a> Painting<'a> {
         }
     }
 
-    /// Some of its rows.
+    /// The band of these rows.
     #[must_use]
     pub fn band(&self, rows: Range<usize>) -> Band<'_> {
         let [width, height] = self.size;
@@ -133,7 +133,7 @@ impl<'a> Painting<'a> {
         Band { painting: self, places: places.collect(), patterns, free }
     }
 
-    /// Where each px of a `pattern` that begins at row `first` lies in its gradient.
+    /// The place of each px of a `pattern` in its gradient; the pattern begins at row `first`.
     fn places(&self, map: &ColourMap, pattern: &Field, first: usize) -> Field {
         let [wide, high] = [0, 1].map(|axis| self.canvas[axis] / self.size[axis] as f64);
         let mut places = pattern.clone();
@@ -155,7 +155,7 @@ impl<'a> Painting<'a> {
                 || self.gradients.last().is_none_or(Gradient::is_opaque))
     }
 
-    /// The whole texture: red, green, blue a px, row by row from the top. What is transparent is over white.
+    /// The whole texture: red, green, blue a px, row by row from the top. Transparent parts are painted over white.
     #[must_use]
     pub fn rgb(&self) -> Vec<u8> {
         let mut rgb = vec![0; 3 * self.size[0] * self.size[1]];
@@ -215,7 +215,7 @@ impl<'a> Painting<'a> {
         let encoding = Encoding { quality: style.quality, aside };
         picture::write(out, format, encoding, header, |rows, bytes| {
             step(&rows)?;
-            // Only asked whether to cancel.
+            // An empty range is only a test for cancelling.
             if rows.is_empty() {
                 return Ok(());
             }
@@ -233,7 +233,7 @@ impl<'a> Painting<'a> {
     }
 }
 
-/// How a picture is written.
+/// Settings for writing a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Style {
     /// Resolution, px an inch.
@@ -279,7 +279,7 @@ impl Style {
         Ok(())
     }
 
-    /// What is transparent is written over white in a format without opacity.
+    /// The samples of a format without opacity: transparent parts are painted over white.
     fn samples(&self, format: Format, channel: Channel, is_opaque: bool) -> Samples {
         match channel {
             Channel::Texture => {
@@ -292,19 +292,19 @@ impl Style {
     }
 }
 
-/// What a picture shows.
+/// The content of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Channel {
     /// The texture: red, green, blue, 8 bit each.
     Texture,
     /// The pattern of one layer, or of the layer that is visible at each px: 16-bit gray.
     Pattern(Option<usize>),
-    /// Which layer's mark covers each px: 8 bit.
+    /// For each px, the layer whose mark covers it: 8 bit.
     Labels,
 }
 
 impl Channel {
-    /// What its pictures hold.
+    /// The kind of content of its pictures.
     #[must_use]
     pub fn content(self) -> Content {
         match self {
@@ -325,9 +325,9 @@ pub(super) fn gradient_of(layer: &Layer, index: usize) -> Gradient {
 pub struct Band<'a> {
     painting: &'a Painting<'a>,
     patterns: Vec<Field>,
-    /// Where each px lies in the gradient of the layer, where that differs from its pattern.
+    /// The place of each px in the gradient of the layer, if it differs from the pattern.
     places: Vec<Option<Field>>,
-    /// Where each layer was free to grow: not where there are marks of those beneath.
+    /// For each layer, the cells where it was free to grow: outside the marks of the layers beneath.
     free: Vec<Vec<bool>>,
 }
 
@@ -373,7 +373,7 @@ impl Band<'_> {
         }
     }
 
-    /// Which layer's mark covers each px: 1 = the lowest, 0 = none.
+    /// Writes for each px the layer whose mark covers it: 1 = the lowest, 0 = none.
     pub fn labels(&self, labels: &mut [u8]) {
         let painted = self.painted();
         for (px, label) in labels.iter_mut().enumerate() {

@@ -1,15 +1,15 @@
-//! How much of a drawn line lies in the stripes that grew.
+//! The share of a drawn line that lies in grown stripes.
 
 use crate::attributes::regions::RegionGrid;
 use crate::grid::resample::Spline;
 use crate::marks::Path;
 use crate::synth::pattern::EDGE;
 
-/// The share of a drawn line that is to lie in a stripe.
+/// The least share of a drawn line in a stripe for the line to count as kept.
 pub(super) const COVERED: f64 = 0.9;
 
-/// The share of a path (px) that lies in a stripe of the pattern `surface`, of what of it lies on the canvas and is not `hidden`
-/// by marks of the layers beneath; `None` where nothing is left.
+/// The share of a path (px) that lies in a stripe of the pattern `surface`. Parts outside the canvas, or `hidden` by marks of the
+/// layers beneath, are ignored; `None` if nothing else is left.
 #[must_use]
 pub fn covered(
     path: &Path,

@@ -1,4 +1,4 @@
-//! What became of each drawn mark.
+//! The report on each drawn mark.
 
 use serde::Serialize;
 
@@ -7,34 +7,33 @@ use crate::attributes::{Attributes, Spots, Stripes};
 use crate::marks::{Ellipse, Path};
 use crate::synth::report::covered::COVERED;
 
-/// What became of a drawn mark that was to be among those that grow.
+/// A drawn mark that was to be kept, and how it has grown.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DrawnMark {
     /// Its index among the strokes of the layer.
     pub mark: usize,
-    /// Whether it grew: a spot of its own within half its radius √(r₁r₂), a line of which nine tenths lie in stripes,
-    /// as far as it is not on marks of the layers beneath.
+    /// Whether it grew: for a spot, a grown spot of its own within half its radius √(r₁r₂); for a line, nine tenths of it in
+    /// stripes. The parts on marks of the layers beneath are ignored.
     pub there: bool,
-    /// How far it is from its place, ÷ its radius; of a line the share that lies in no stripe. `None` of a spot that did not
-    /// grow.
+    /// Distance from its place, in radii; for a line the share that lies in no stripe. `None` for a spot that did not grow.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub off: Option<f64>,
-    /// What was drawn.
+    /// The drawn attributes.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub asked: Option<Attributes>,
-    /// What grew, of a spot that is whole, or of the stripe along a line.
+    /// The grown attributes, of a whole spot, or of the stripe along a line.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub got: Option<Attributes>,
-    /// Why it is not there, or that it has grown by half.
+    /// The reason why it did not grow, or that it is half grown.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reason: Option<&'static str>,
-    /// Where it was drawn, px.
+    /// Place where the mark was drawn, px.
     #[serde(skip)]
     pub place: [f64; 2],
 }
 
-/// What became of a drawn line, by its index, of which this share is `covered` by what grew; `None` = nothing of it can be seen.
-/// `oblique` says why less than nine tenths are.
+/// The report on a drawn line, by its index, of which grown stripes cover the share `covered`; `None` = no part of it is visible.
+/// `oblique` is the reason if less than nine tenths are covered.
 #[must_use]
 pub fn drawn_line(
     (mark, line): (usize, &Path),
@@ -77,11 +76,11 @@ pub fn by_region(drawn: &[DrawnMark], layout: &RegionGrid) -> Vec<Vec<DrawnMark>
     regions
 }
 
-/// Marks that a note names at most.
+/// Most marks that a note names.
 pub(in crate::synth) const NAMED: usize = 8;
 
-/// A note that names the marks that are not there, with their places; `None` where all are. Of lines, what they should
-/// lie in: `"stripes"` or `"threads"`.
+/// A note that names the missing marks, with their places; `None` if none is missing. `lines_in` names the stripes in which lines
+/// should lie: `"stripes"` or `"threads"`.
 #[must_use]
 pub fn note(marks: &[DrawnMark], lines_in: Option<&str>) -> Option<String> {
     let missing: Vec<&DrawnMark> = marks.iter().filter(|mark| !mark.there).collect();

@@ -15,7 +15,7 @@ pub use region::{RaggednessReport, RegionReport};
 
 use serde::Serialize;
 
-/// A width or a share that differs by more than this share from what was expected is noted.
+/// Least relative difference of a width or a share from the expected value that is noted.
 pub const NOTED: f64 = 0.06;
 
 /// The report of a growth. Serialised, it is the JSON of `grow --report`.
@@ -27,20 +27,20 @@ pub struct Report {
     pub size: [u32; 2],
     /// The document's seed.
     pub seed: u64,
-    /// Wall time of the growth and of writing its pictures.
+    /// Wall time of the growth and of writing its pictures, s.
     pub seconds: f64,
-    /// One a layer, the lowest first.
+    /// The reports of the layers, the lowest first.
     pub layers: Vec<LayerReport>,
 }
 
-/// What has grown on one layer.
+/// The report of one layer.
 #[derive(Clone, Debug, Serialize)]
 pub struct LayerReport {
     /// The layer's name.
     pub name: String,
     /// The reaction-diffusion system.
     pub system: &'static str,
-    /// Whether its stripes are the gaps between the lines that grow, because they cover more than half.
+    /// Whether its stripes are the gaps between the lines that grow, because they cover more than half of their period.
     pub inverted: bool,
     /// px a cell.
     pub cell: f64,
@@ -50,7 +50,7 @@ pub struct LayerReport {
     pub steps: u64,
     /// Whether the pattern settled within the step limit.
     pub settled: bool,
-    /// One a region, row by row; empty of pairs.
+    /// The reports of the regions, row by row; empty for pairs.
     pub regions: Vec<RegionReport>,
     /// The lines between cells.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -61,31 +61,31 @@ pub struct LayerReport {
     /// The share of the canvas that streaks or cracks cover.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub share: Option<ShareReport>,
-    /// One a direction of a weave.
+    /// The reports of the directions of a weave.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub threads: Vec<ThreadReport>,
-    /// What the user should know of a weave; regions have notes of their own.
+    /// Notes for the user on the layer; regions have notes of their own.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
-    /// The note which names drawn marks that are not there.
+    /// The note that names missing drawn marks.
     #[serde(skip)]
     pub note_on_drawn: Option<String>,
-    /// The centres of whole spots that are two grown together, px.
+    /// The centres of whole spots that are two merged ones, px.
     #[serde(skip)]
     pub merged: Vec<[f64; 2]>,
-    /// Places of marks that have grown by half, px.
+    /// Places of half-grown marks, px.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub half_grown: Vec<[f64; 2]>,
     /// Its field of points.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub points: Option<PointsReport>,
-    /// How near it is to the picture that drives it.
+    /// Agreement with the picture that drives the layer.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tone: Option<ToneReport>,
-    /// What Turing's growth has made.
+    /// The pattern of Turing's growth.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub growth: Option<GrowthReport>,
-    /// What became of each drawn mark; empty where none was to be among those that grow.
+    /// The report on each drawn mark; empty if none was to be kept.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub drawn: Vec<DrawnMark>,
     /// `Some(false)` for a layer whose marks are replaced by those of the layer above; otherwise `None`.

@@ -1,4 +1,4 @@
-//! What the report of a layer says beside its regions, each of some systems alone.
+//! Parts of the report of a layer besides its regions, each for some systems only.
 
 use serde::Serialize;
 
@@ -9,7 +9,8 @@ use crate::attributes::Stripes;
 pub struct WidthReport {
     /// The mean width that was asked for, px.
     pub asked: f64,
-    /// The width of what grew, px: of lines all that no cell covers, by their length. `None` where it cannot be measured.
+    /// The grown width, px; for lines between cells the area outside all cells ÷ the length of the lines. `None` if it cannot be
+    /// measured.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub got: Option<f64>,
 }
@@ -17,9 +18,9 @@ pub struct WidthReport {
 /// The share of the canvas that lines cover.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ShareReport {
-    /// What was asked for, of what the layers beneath left free, 0..1.
+    /// The share that was asked for, of the area that the layers beneath left free, 0..1.
     pub asked: f64,
-    /// What grew.
+    /// The share that grew.
     pub got: f64,
 }
 
@@ -28,35 +29,35 @@ pub struct ShareReport {
 pub struct ThreadReport {
     /// The lines that were drawn in this direction.
     pub lines: usize,
-    /// Width, distance (px) and direction that were asked for, their means.
+    /// The width, distance (px) and direction that were asked for, as means.
     pub asked: Stripes,
-    /// What grew; `None` where none did.
+    /// The grown threads; `None` if none grew.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub got: Option<Stripes>,
-    /// By how much it differs: shares of width and wavelength, degrees.
+    /// The errors: relative for width and wavelength, degrees for the angle.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error: Option<ThreadErrors>,
 }
 
-/// By how much grown threads differ from what was asked for at their places.
+/// Differences between grown threads and those asked for at their places.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ThreadErrors {
-    /// Share of the width.
+    /// Relative error of the width.
     pub width: f64,
-    /// Share of the distance from one to the next.
+    /// Relative error of the distance from one thread to the next.
     pub wavelength: f64,
-    /// The mean, degrees.
+    /// Mean error of the angle, degrees.
     pub angle: f64,
-    /// The root mean square, degrees.
+    /// Root mean square error of the angle, degrees.
     pub angle_rms: f64,
 }
 
 /// A grown field of points.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PointsReport {
-    /// What gave the points their values.
+    /// The kind of labels of the points.
     pub labels: &'static str,
-    /// How many points there are, of all octaves.
+    /// Number of points, of all octaves.
     pub count: usize,
     /// The smallest and the largest distance that was asked for, px.
     pub distance: [f64; 2],
@@ -64,39 +65,39 @@ pub struct PointsReport {
     pub share: PointsShare,
 }
 
-/// The share of the canvas above the edge, of what the layers beneath left free, 0..1.
+/// The share above the edge, of the area that the layers beneath left free, 0..1.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PointsShare {
-    /// What was asked for, if anything was.
+    /// The share that was asked for, if any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub asked: Option<f64>,
-    /// What grew.
+    /// The share that grew.
     pub got: f64,
 }
 
-/// How near a layer is to the picture that drives it.
+/// Agreement of a layer with the picture that drives it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ToneReport {
     /// Width and height of the picture, px.
     pub image: [usize; 2],
-    /// What follows it.
+    /// The properties that follow it.
     pub drives: Vec<&'static str>,
     /// The usual distance from one mark to the next, px.
     pub wavelength: f64,
-    /// The correlation of ink and tone, both blurred by half a wavelength and by one; `None` of an even tone.
+    /// The correlation of ink and tone, both blurred by half a wavelength and by one; `None` for an even tone.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub correlation: Option<[f64; 2]>,
-    /// Their mean absolute difference, as a share of ink.
+    /// Mean absolute difference of ink and tone, as a share of ink.
     pub difference: [f64; 2],
-    /// The median turn of the lines from the directions wanted where these are clear, degrees.
+    /// The median angle between the lines and the wanted directions, where these are clear, degrees.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub direction: Option<f64>,
 }
 
-/// What Turing's growth has made.
+/// The pattern of Turing's growth.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct GrowthReport {
-    /// The lowest and the highest growth.
+    /// The lowest and the highest G.
     pub range: [f32; 2],
     /// The usual distance from one mark to the next, px.
     pub wavelength: f64,

@@ -1,4 +1,4 @@
-//! How well pinned marks stayed where they were drawn.
+//! Deviation of pinned marks from their places.
 
 use serde::Serialize;
 
@@ -6,20 +6,20 @@ use crate::attributes::AttributeMap;
 use crate::synth::report::covered::COVERED;
 use crate::synth::report::drawn::DrawnMark;
 
-/// The share of its radius √(r₁r₂) by which a pinned spot may be off.
+/// Largest distance of a pinned spot from its place, as a share of its radius √(r₁r₂).
 const OFF: f64 = 0.25;
 
-/// How many marks of a region grew where they were drawn, and how well.
+/// Number of marks of a region that grew where they were drawn, and their deviations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Stayed {
     /// Drawn marks of the region.
     pub drawn: usize,
     /// Drawn marks that grew.
     pub kept: usize,
-    /// Of these, how many are off: spots by more than a quarter of their radius √(r₁r₂), lines of which less than nine
-    /// tenths lie in a stripe.
+    /// Number of kept marks with a deviation: spots by more than a quarter of their radius √(r₁r₂), lines with less than nine
+    /// tenths in a stripe.
     pub off: usize,
-    /// The farthest that a kept spot is off, ÷ its radius; of lines the largest share that lies in no stripe.
+    /// The largest deviation: of a kept spot, in radii; of a line, the share that lies in no stripe.
     pub farthest: f64,
 }
 
@@ -31,7 +31,7 @@ impl Stayed {
     }
 }
 
-/// How well the drawn marks of a layer stayed, by region. Empty where none was to be among those that grow.
+/// Deviation of the drawn marks of a layer from their places, by region. Empty if no marks were to be kept.
 #[must_use]
 pub fn stayed(map: &AttributeMap, drawn: &[DrawnMark], lines: bool) -> Vec<Stayed> {
     if drawn.is_empty() {

@@ -1,4 +1,4 @@
-//! What a region was asked, what was looked up for it, what has grown there.
+//! The report of a region: what was asked for, what was looked up, and what grew.
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
@@ -13,41 +13,40 @@ pub struct RegionReport {
     pub place: [usize; 2],
     /// Whole spots that were measured; `None` for stripes.
     pub marks: Option<usize>,
-    /// Of these, the number that are two grown together; `None` for stripes.
+    /// Number of these that are two merged spots; `None` for stripes.
     pub merged: Option<usize>,
-    /// What was wanted at its centre.
+    /// The attributes that were asked for at its centre.
     pub asked: Attributes,
-    /// Whether its stripes are the lines that grow, or the gaps between these.
+    /// Whether the lines that grow are its stripes, or the gaps between them.
     pub polarity: Polarity,
-    /// Whether the direction of its stripes means anything: lines round marks, or between them, run as these let them.
+    /// Whether the direction of its stripes was asked for: lines around marks, or between them, follow these marks.
     pub directed: bool,
     /// Parameters of the simulation by name, in cells; and `cell`, px a cell.
     pub parameters: Vec<(&'static str, f64)>,
-    /// What the rows say that grows; `None` of patches.
+    /// The attributes that the training rows predict; `None` for patches.
     pub predicted: Option<Attributes>,
-    /// What has grown.
+    /// The attributes that grew.
     pub got: Option<Attributes>,
-    /// How ragged its patches are, or its roughened edges; `None` of any other.
+    /// Raggedness of its patches, or of its roughened edges; `None` for any other.
     pub raggedness: Option<RaggednessReport>,
-    /// By how much it differs, by attribute: shares of area, spacing, width and wavelength, differences of aspect and
-    /// angle.
+    /// Errors by attribute: relative for area, spacing, width and wavelength, differences for aspect and angle.
     pub error: Vec<(Attribute, f64)>,
-    /// How much its spots were to vary, and do; `None` where they were not to.
+    /// The spread of its spots that was asked for, and the one that grew; `None` if none was asked for.
     pub spread: Option<(Spread, Option<Spread>)>,
-    /// What became of drawn marks that are kept.
+    /// Deviation of kept drawn marks from their places.
     pub kept: Option<Stayed>,
-    /// What cannot be reached, and where the nearest lies.
+    /// Attributes that cannot be reached, and the nearest that can.
     pub beyond: Vec<Note>,
     /// All notes as sentences, including those of `beyond`.
     pub notes: Vec<String>,
 }
 
-/// How ragged the edges of a region were to be, and are.
+/// Raggedness of the edges of a region.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RaggednessReport {
-    /// The mean that was asked for.
+    /// The mean raggedness that was asked for.
     pub asked: f64,
-    /// The mean of those that grew; `None` without whole ones.
+    /// The mean of the grown areas; `None` without whole ones.
     pub got: Option<f64>,
 }
 
@@ -86,12 +85,12 @@ impl Serialize for RegionReport {
     }
 }
 
-/// Attributes as the report writes them. The direction of stripes that follow marks (`directed` = false) was not asked for,
-/// so only their width is written.
+/// Attributes in the form of the report. The direction of stripes that follow marks (`directed` = false) was not asked for, so that
+/// only their width is written.
 struct AttributesEntry<'a> {
     attributes: &'a Attributes,
     directed: bool,
-    /// Of patches and roughened edges.
+    /// Raggedness of patches and roughened edges.
     raggedness: Option<f64>,
 }
 

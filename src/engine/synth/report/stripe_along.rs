@@ -1,4 +1,4 @@
-//! The stripe that grew along a drawn line or path: its width, its direction, and how far away the next ones are.
+//! The stripe that grew along a drawn line or path: its width, its direction, and the distance to the next ones.
 //!
 //! ```text
 //!              normal                   width  = high − low
@@ -17,12 +17,12 @@ use crate::synth::pattern::EDGE;
 const SAMPLES: usize = 64;
 /// Steps in a width at which an edge is searched across a stripe.
 const STEPS: f64 = 8.0;
-/// An edge farther away than so many widths is not that of the stripe drawn.
+/// An edge farther away than this number of widths belongs to another stripe.
 const WIDEST: f64 = 3.0;
-/// The next stripe is searched so many widths away.
+/// Largest distance in which the next stripe is searched, in widths.
 const FARTHEST: f64 = 12.0;
 
-/// A line or path as it was drawn, alone.
+/// The stripe that is asked for by a single line or path.
 #[must_use]
 pub fn drawn_stripe(path: &Path) -> Stripes {
     let directions = path.samples(SAMPLES).into_iter().map(|sample| (sample.direction, 1.0));
@@ -30,8 +30,7 @@ pub fn drawn_stripe(path: &Path) -> Stripes {
     Stripes { width: path.width, angle, wavelength: None }
 }
 
-/// What grew along `path` (px) in the pattern `surface`; `None` where no sample lies in a stripe
-/// of which both edges are seen.
+/// The stripe that grew along `path` (px) in the pattern `surface`; `None` if no sample lies in a stripe with both edges visible.
 #[must_use]
 pub fn stripe_along(path: &Path, surface: &Spline, bounds: Bounds) -> Option<Stripes> {
     let across = |sample: PathSample| Across::new(&sample, path.width, surface, bounds);
@@ -48,14 +47,14 @@ pub fn stripe_along(path: &Path, surface: &Spline, bounds: Bounds) -> Option<Str
 /// The stripe across a sample.
 struct Across {
     sample: PathSample,
-    /// Where its edges are along the normal of the path, px; the first is negative.
+    /// The positions of its edges along the normal of the path, px; the first is negative.
     edges: [f64; 2],
-    /// From its middle to that of the next stripe on each side, px.
+    /// Distances from its middle to those of the next stripes on either side, px.
     periods: [Option<f64>; 2],
 }
 
 impl Across {
-    /// `None` where the sample lies in no stripe, or too near to the border to see both edges.
+    /// `None` if the sample lies in no stripe, or too near to the border to see both edges.
     fn new(sample: &PathSample, width: f64, surface: &Spline, bounds: Bounds) -> Option<Self> {
         let ray = Ray { sample, width, surface, bounds };
         if !ray.is_in_stripe(0.0)? {
@@ -78,8 +77,8 @@ impl Across {
         beside(&self.sample, off)
     }
 
-    /// By how many degrees the stripe is turned against the path from here to the `next` sample, with the weight of that
-    /// way.
+    /// The angle of the stripe relative to the path from here to the `next` sample, degrees, with the length of that part as its
+    /// weight.
     fn turn_to(&self, next: &Self) -> Option<(f64, f64)> {
         let angle = |[a, b]: [[f64; 2]; 2]| libm::atan2(b[1] - a[1], b[0] - a[0]).to_degrees();
         let drawn = [self.sample.point, next.sample.point];
@@ -97,7 +96,7 @@ fn beside(sample: &PathSample, off: f64) -> [f64; 2] {
 /// The pattern along the normal of a sample.
 struct Ray<'a> {
     sample: &'a PathSample,
-    /// Of the line, px.
+    /// Width of the line, px.
     width: f64,
     surface: &'a Spline,
     bounds: Bounds,
@@ -114,7 +113,7 @@ impl Ray<'_> {
         Some(self.height(off)? >= EDGE)
     }
 
-    /// The first place from `from` on, to a `side`, where a stripe begins or ends, at most so many widths away.
+    /// The first place from `from` on, towards `side`, where a stripe begins or ends, at most `widths` widths away.
     fn change(&self, from: f64, side: f64, widths: f64) -> Option<f64> {
         let step = side * self.width / STEPS;
         let mut here = self.height(from)?;
@@ -149,7 +148,7 @@ mod tests {
     #[test]
     fn width_direction_and_period_are_those_of_the_stripe_that_grew() {
         let (surface, bounds) = stripes(9.0, 30.0);
-        // Drawn wider, and turned by 3°.
+        // The path is wider than the stripe, and rotated by 3°.
         let path = Path { points: vec![[39.0, 30.0], [41.0, 68.0]], width: 12.0 };
         let got = stripe_along(&path, &surface, bounds).expect("a stripe");
         assert!((got.width / 9.0 - 1.0).abs() < 0.01 && (got.angle - 90.0).abs() < 0.3, "{got:?}");
@@ -157,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_grew_along_a_path_between_stripes() {
+    fn no_stripe_is_found_along_a_path_between_stripes() {
         let (surface, bounds) = stripes(9.0, 30.0);
         let path = Path { points: vec![[55.0, 30.0], [55.0, 70.0]], width: 9.0 };
         assert_eq!(stripe_along(&path, &surface, bounds), None);

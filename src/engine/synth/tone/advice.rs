@@ -1,8 +1,8 @@
-//! What to change where a picture, or a growth, leaves no pattern.
+//! Advice if a picture or Turing's growth leaves no pattern.
 
 use crate::synth::tone::plan::TonePlan;
 
-/// Why there is nothing but marks (`full`), or none, and what to change.
+/// The reason why there is nothing but marks (`full`), or none, and what to change.
 #[must_use]
 pub fn advice(plan: &TonePlan, full: bool) -> &'static str {
     match (plan.growth.is_empty(), full) {

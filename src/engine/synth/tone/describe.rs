@@ -1,4 +1,4 @@
-//! What `check` says of a layer that a picture drives, or a growth.
+//! The output of `check` for a layer that a picture or Turing's growth drives.
 
 use serde_json::json;
 
@@ -6,7 +6,7 @@ use crate::document::Layer;
 use crate::synth::kind::{Described, Request};
 use crate::synth::tone::plan::TonePlan;
 
-/// What would grow, and what drives it.
+/// A description of the layer that would grow, and of what drives it.
 pub(super) fn described(plan: &TonePlan, request: &Request, notes: Vec<String>) -> Described {
     let layer = &request.document.layers[request.index];
     let mut json = json!({"system": plan.system.name(), "inverted": false, "cell": plan.px_a_cell(),
@@ -21,7 +21,7 @@ pub(super) fn described(plan: &TonePlan, request: &Request, notes: Vec<String>) 
     Described::new(reach(layer, plan, request.index), notes, json)
 }
 
-/// The lowest and the highest growth; `None` of systems without.
+/// The lowest and the highest G; `None` for systems without this parameter.
 fn growth_range(plan: &TonePlan) -> Option<[f32; 2]> {
     let values = plan.growth.iter().copied();
     Some([values.clone().reduce(f32::min)?, values.reduce(f32::max)?])

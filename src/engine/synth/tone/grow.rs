@@ -1,4 +1,4 @@
-//! Plans of layers that a picture drives, or a growth → what has grown.
+//! The growth of layers that a picture or Turing's growth drives, from their plan.
 
 use crate::grid::resample::Spline;
 use crate::grid::{Domain, Field};
@@ -12,11 +12,11 @@ use crate::synth::tone::growth::ToneGrowth;
 use crate::synth::tone::plan::TonePlan;
 use crate::synth::watch::Stage;
 
-/// Standard deviation of the surroundings in which the share of ink is the tone, wavelengths: of stripes, and of spots, whose gaps are
-/// wider.
+/// Standard deviation, in wavelengths, of the surroundings in which the share of ink equals the tone: for stripes, and for spots,
+/// whose gaps are wider.
 const AROUND: [f64; 2] = [0.5, 0.6];
 
-/// A layer that a picture drives, or a growth, as it grows.
+/// The growth of a layer that a picture or Turing's growth drives.
 pub struct DrivenGrowth {
     /// Whether the concentrations of all chemicals are kept.
     concentrations: bool,
@@ -25,13 +25,13 @@ pub struct DrivenGrowth {
     state: State,
 }
 
-/// What has been done.
+/// The state of the work.
 enum State {
-    /// It grows.
+    /// The pattern grows.
     Grow,
-    /// Its relief is known.
+    /// Its relief has been computed.
     Relief(Field),
-    /// The pattern is cut at its levels.
+    /// The pattern has been cut at its thresholds.
     Levelled(Field, Levelled),
     /// The layer has grown.
     Grown(Box<GrownTone>),
@@ -99,7 +99,7 @@ impl DrivenGrowth {
         }
     }
 
-    /// What has grown, measured.
+    /// The grown pattern with its measurements.
     fn grown(&self, relief: Field, levelled: Levelled) -> GrownTone {
         let Levelled { levels, gains, ink } = levelled;
         let measured = during(Section::Measure, || measure(&self.plan, &ink, &relief));
@@ -109,7 +109,7 @@ impl DrivenGrowth {
         GrownTone { plan, steps, settled, relief, levels, gains, ink, measured, concentrations }
     }
 
-    /// What is being done, and the share of it that is done.
+    /// The current stage, and the finished share of it.
     #[must_use]
     pub fn progress(&self) -> (Stage, f64) {
         match &self.state {
@@ -120,27 +120,27 @@ impl DrivenGrowth {
         }
     }
 
-    /// Cell updates of `time`.
+    /// Cell updates of `time` on the current grid.
     #[must_use]
     pub fn updates_in(&self, time: f64) -> u64 {
         self.growth.updates_in(time)
     }
 
-    /// The layer as it is now; `None` while it does not grow.
+    /// The current state of the layer; `None` while it does not grow.
     #[must_use]
     pub fn seen(&self) -> Option<Seen<'_>> {
         let grows = matches!(self.state, State::Grow) && self.growth.steps() > 0;
         grows.then(|| seen(&self.plan, &self.growth))
     }
 
-    /// What has grown.
+    /// The grown pattern; `None` before the end.
     #[must_use]
     pub fn complete(self) -> Option<GrownTone> {
         if let State::Grown(grown) = self.state { Some(*grown) } else { None }
     }
 }
 
-/// What grows; its levels are found at the end.
+/// The growing pattern; its thresholds are found at the end.
 pub(super) fn seen<'s>(plan: &'s TonePlan, growth: &'s ToneGrowth) -> Seen<'s> {
     let pattern = || {
         let relief = relief(&growth.marks(), plan.system, plan.wavelength);
@@ -154,10 +154,10 @@ pub(super) fn seen<'s>(plan: &'s TonePlan, growth: &'s ToneGrowth) -> Seen<'s> {
     }
 }
 
-/// How a relief is cut, at the px of the tone.
+/// The thresholds and the cut of a relief, at the px of the tone.
 struct Levelled {
     levels: Field,
-    /// How many times its heights are stretched.
+    /// Factors by which its heights are stretched.
     gains: Field,
     /// 1 in ink, 0 elsewhere.
     ink: Vec<f32>,
@@ -183,7 +183,7 @@ fn levelled(plan: &TonePlan, relief: &Field) -> Levelled {
     Levelled { levels: field(values), gains: field(gains), ink }
 }
 
-/// The one level with which the whole canvas has as much ink as its tone.
+/// The single threshold at which the whole canvas has as much ink as its tone.
 fn even_level(plan: &TonePlan, heights: &[f32]) -> f32 {
     let mean = plan.tone.iter().map(|tone| f64::from(*tone)).sum::<f64>() / plan.tone.len().max(1) as f64;
     let mut sorted = heights.to_vec();

@@ -1,4 +1,4 @@
-//! The growth of what a picture drives: of a system with its grids, or of a pair of morphogens.
+//! The growth driven by a picture: of a system with its grids, or of a pair of morphogens.
 
 use crate::grid::Field;
 use crate::rd::pairs::{PairGrowth, PairStart};
@@ -7,16 +7,16 @@ use crate::synth::pairs::plan::FROM_NOISE;
 use crate::synth::profile::{Section, during};
 use crate::synth::tone::plan::{ToneMaps, TonePlan, pair_model};
 
-/// A growth that a picture drives.
+/// A growth driven by a picture.
 pub enum ToneGrowth {
-    /// Of a system.
+    /// The growth of a system.
     Of(Box<Engine>),
-    /// Of a pair.
+    /// The growth of a pair.
     Pairs(Box<PairGrowth>),
 }
 
 impl ToneGrowth {
-    /// Lays it out as planned.
+    /// The growth of a plan, before its first step.
     #[must_use]
     pub fn new(plan: &TonePlan, seed: u64) -> Self {
         match plan.maps() {
@@ -51,7 +51,7 @@ impl ToneGrowth {
         }
     }
 
-    /// Cell updates of `time` of it.
+    /// Cell updates of `time` on the current grid.
     #[must_use]
     pub fn updates_in(&self, time: f64) -> u64 {
         match self {
@@ -78,7 +78,7 @@ impl ToneGrowth {
         }
     }
 
-    /// Whether it has settled; pairs have a time after which they have.
+    /// Whether it has settled; pairs have settled after a fixed time.
     #[must_use]
     pub fn settled(&self) -> bool {
         match self {
@@ -96,7 +96,7 @@ impl ToneGrowth {
         }
     }
 
-    /// What shows the marks: a concentration, or the difference of two.
+    /// The field that shows the marks: a concentration, or the difference of two.
     #[must_use]
     pub fn marks(&self) -> Field {
         match self {

@@ -1,4 +1,4 @@
-//! What a picture drives, or a growth, as a kind of layer.
+//! Layers that a picture or Turing's growth drives, as a kind of layer.
 
 use crate::document::Document;
 use crate::grid::{Domain, Field};
@@ -21,11 +21,11 @@ use crate::synth::tone::plan::{ToneMaps, TonePlan, ToneSystem};
 use crate::synth::tone::report::{growth_report, tone_report};
 use crate::synth::watch::Stage;
 
-/// Layers that a picture drives, or a growth.
+/// Layers that a picture or Turing's growth drives.
 #[derive(Debug)]
 pub struct Driven;
 
-/// Seconds a px of the tone.
+/// Time per px of the tone, s.
 const FINE_SECONDS: f64 = 4e-7;
 
 impl Kind for Driven {
@@ -142,7 +142,7 @@ impl Kind for Driven {
     }
 }
 
-/// What has hardly grown.
+/// The layer after a few steps.
 struct Begun {
     plan: TonePlan,
     growth: ToneGrowth,

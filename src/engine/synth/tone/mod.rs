@@ -1,4 +1,4 @@
-//! What a picture drives, or a growth: spots and stripes whose size, distance or direction follow its tone.
+//! Layers that a picture or Turing's growth drives: spots and stripes whose size, distance or direction follow a tone.
 
 pub mod advice;
 mod describe;

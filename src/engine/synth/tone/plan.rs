@@ -1,4 +1,4 @@
-//! Plans of layers that a picture drives, or a growth.
+//! Plans of layers that a picture or Turing's growth drives.
 
 mod growth;
 mod pair_stripes;
@@ -26,35 +26,39 @@ use crate::synth::marks::plan::setting::Setting;
 use crate::synth::memory::{self, TooLarge};
 use crate::synth::training::Training;
 
-/// Wavelengths across the longer side where nothing is drawn: 56 read much better than 33 (`facts.md` V).
+/// Number of wavelengths across the longer side if nothing is drawn: pictures are much easier to recognise with 56 than with 33
+/// (`facts.md` V).
 const WAVELENGTHS: f64 = 56.0;
-/// The direction of lines where nothing is drawn, degrees: near that of a right hand that hatches, and of no edge of the canvas.
+/// The direction of lines if nothing is drawn, degrees: close to that of hatching by a right hand, and not parallel to an edge of
+/// the canvas.
 const HATCHING: f64 = 35.0;
-/// Cells a wavelength, of stripes, and of spots and Turing's growth (`facts.md` V: 11.6 and 10).
+/// Cells per wavelength, for stripes, and for spots and Turing's growth (`facts.md` V: 11.6 and 10).
 const CELLS: [f64; 2] = [12.0, 10.0];
-/// Cells a wavelength of pair stripes: the size of the pair is 2.2 cells, and 1.64 where lines are [finest](FINER).
+/// Cells per wavelength for pair stripes: the size of the pair is 2.2 cells, and 1.64 where lines are [finest](FINER).
 const CELLS_OF_PAIRS: f64 = 15.0;
-/// Where drawn marks differ more than this from the usual ones, the grid is made for these: five cells a wavelength still hold a stripe.
+/// Largest ratio between the usual and the drawn marks; beyond it the grid is made for the drawn ones: five cells per wavelength
+/// still hold a stripe.
 const FINEST: f64 = 2.4;
-/// Smallest cell, px: what is finer cannot be seen on the canvas.
+/// Smallest cell, px: finer details cannot be seen on the canvas.
 const SMALLEST: f64 = 0.35;
-/// px of the tone a wavelength: thin lines of a tenth of it are two px wide.
+/// px of the tone per wavelength: thin lines of a tenth of it are two px wide.
 const FINE: f64 = 20.0;
-/// How wavelengths vary with detail: from this factor in flat parts to that where the gradient is [`DETAILED`] times the usual one.
+/// Range of the factor of wavelengths: from the first value in flat parts to the second where the gradient is [`DETAILED`] times
+/// the usual one.
 const FINER: [f64; 2] = [1.17, 0.75];
-/// Gradient, in usual ones, from which on wavelengths are the shortest, see [`FINER`].
+/// Gradient, relative to the usual one, from which on wavelengths are shortest, see [`FINER`].
 const DETAILED: f64 = 1.5;
-/// How far away detail counts, wavelengths: dislocations crowd where wavelengths change faster.
+/// Range over which details are averaged, wavelengths: if wavelengths change faster, dislocations accumulate.
 const AROUND: f64 = 1.0;
-/// How the distances of spots vary with tone: at most so many times nearer or farther than the usual one.
+/// Largest factor by which the distance of spots is changed by the tone, up or down.
 const DENSER: f64 = 1.8;
 /// The share of ink of the usual spots: dots of half ink touch.
 const USUAL_INK: f64 = 0.35;
-/// Tones are blurred by so many wavelengths before they are cut: edges that are sharper leave scraps of lines.
+/// Blur of tones before the cut, wavelengths: sharper edges leave fragments of lines.
 const SOFT: f64 = 0.1;
-/// The share of a spot's cell that it covers where its area is not drawn: what Meinhardt's system packs by itself.
+/// The share of a spot's cell that it covers if its area is not drawn: the natural density of Meinhardt's system.
 const PACKED: f64 = 0.122;
-/// Nodes along the longer side at which the drawn marks are asked for wavelengths and directions.
+/// Nodes along the longer side at which wavelengths and directions of the drawn marks are computed.
 const NODES: f64 = 32.0;
 
 /// A layer that is ready to grow.
@@ -64,7 +68,7 @@ pub struct TonePlan {
     pub system: ToneSystem,
     /// The grid over the canvas, px.
     pub grid: Grid,
-    /// What follows the picture.
+    /// The properties that follow the picture.
     pub drives: Drives,
     /// The usual distance from one mark to the next, px.
     pub wavelength: f64,
@@ -74,17 +78,17 @@ pub struct TonePlan {
     pub directions: Vec<(f64, f64)>,
     /// Distances ÷ the usual one at each cell.
     pub factors: Vec<f32>,
-    /// Width and height of the tone, px of its own.
+    /// Width and height of the tone, in px of the tone.
     pub fine: [usize; 2],
-    /// The share of ink that is wanted at each of them; empty where no picture drives the layer.
+    /// The share of ink that is wanted at each px of the tone; empty if no picture drives the layer.
     pub tone: Vec<f32>,
-    /// The growth of each cell; empty where the system has none.
+    /// The parameter G of each cell; empty for systems without it.
     pub growth: Vec<f32>,
     /// Parameters of the usual marks, in cells; pair stripes have laws instead.
     usual: Option<Setting>,
 }
 
-/// What grows at each cell.
+/// The parameters of each cell.
 pub enum ToneMaps {
     /// This system with these parameters.
     Of(System, ParameterField),
@@ -92,7 +96,7 @@ pub enum ToneMaps {
     Pairs(PairParameterField),
 }
 
-/// What is drawn, or usual where nothing is.
+/// The drawn attributes, or usual ones if nothing is drawn.
 struct Drawn {
     system: ToneSystem,
     map: Option<AttributeMap>,
@@ -126,7 +130,7 @@ impl TonePlan {
         Ok(plan)
     }
 
-    /// The plan for what is drawn, without anything that drives it.
+    /// The plan for the drawn attributes, without a picture or a map.
     fn bare(
         drawn: &Drawn,
         canvas: Bounds,
@@ -192,7 +196,7 @@ impl TonePlan {
         self.directions = self.turned(tensors, drawn, tone.sketch);
     }
 
-    /// Updates of one morphogen in one cell that a growth of pair stripes takes.
+    /// Updates of one morphogen in one cell during a growth of pair stripes.
     #[must_use]
     pub fn updates_of_pair(&self) -> f64 {
         let least = self.factors.iter().copied().fold(f32::INFINITY, f32::min);
@@ -224,7 +228,7 @@ impl TonePlan {
         (0..self.grid.cells()).into_par_iter().map(factor).collect()
     }
 
-    /// Directions at each cell: of the picture where it has edges, and of what is drawn elsewhere.
+    /// Directions at each cell: those of the picture where it has edges, and the drawn ones elsewhere.
     fn turned(&self, tensors: Tensors, drawn: &Field, sketch: f64) -> Vec<(f64, f64)> {
         let direction = |cell: usize| drawn.at(self.grid.center_px(cell)).1;
         if !self.drives.direction {
@@ -262,7 +266,7 @@ impl TonePlan {
         factors
     }
 
-    /// What grows at every cell.
+    /// The parameters of every cell.
     #[must_use]
     pub fn maps(&self) -> ToneMaps {
         match (self.system, &self.usual) {
@@ -271,7 +275,7 @@ impl TonePlan {
         }
     }
 
-    /// Parameters of every cell, by those of the usual marks.
+    /// Parameters of every cell, from those of the usual marks.
     fn parameters(&self, setting: &Setting) -> ParameterField {
         let usual = &setting.parameters;
         let of_cell = |((direction, _), factor): (&(f64, f64), &f32)| Parameters {
@@ -286,16 +290,16 @@ impl TonePlan {
     }
 }
 
-/// Why a layer that a picture drives cannot be planned.
+/// The reason why a layer that a picture drives cannot be planned.
 #[derive(Debug, thiserror::Error)]
 pub enum TonePlanError {
-    /// What was drawn cannot be grown there.
+    /// The strokes cannot be grown: file, place, value, what is allowed.
     #[error(transparent)]
     Document(#[from] DocumentError),
     /// Its parameters could not be looked up.
     #[error(transparent)]
     Plan(#[from] PlanError),
-    /// It does not fit into memory.
+    /// The layer does not fit into memory.
     #[error(transparent)]
     TooLarge(#[from] TooLarge),
 }
@@ -317,7 +321,7 @@ impl Drawn {
         let kind = marks.first().map(Kind::from);
         let below = match index.checked_sub(1) {
             None => Beneath::Nothing,
-            // Which kind it grows does not matter: none may lie beneath.
+            // The kind of the layer beneath does not matter: none is allowed.
             Some(_) => Beneath::Grows(Kind::Line),
         };
         if let Some(problem) = Combination::new(layer, kind, below).problem(&format!("layers[{index}]")) {
@@ -389,7 +393,7 @@ impl Field {
     }
 }
 
-/// What is usual of a map: means over the canvas.
+/// The usual attributes of a map: means over the canvas.
 fn usual(map: &AttributeMap) -> Attributes {
     let all = map.samples();
     let count = all.len().max(1) as f64;

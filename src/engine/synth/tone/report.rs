@@ -1,10 +1,10 @@
-//! The report of a layer that a picture drives, or a growth.
+//! The report of a layer that a picture or Turing's growth drives.
 
 use crate::document::Tone;
 use crate::synth::report::{GrowthReport, ToneReport};
 use crate::synth::tone::grown::{GrownTone, ToneErrors};
 
-/// The report of what has grown by `tone`.
+/// The report of a layer driven by `tone`.
 #[must_use]
 pub fn tone_report(tone: &Tone, grown: &GrownTone) -> Option<ToneReport> {
     let ToneErrors { correlation, difference, direction } = grown.measured.clone()?;
@@ -18,7 +18,7 @@ pub fn tone_report(tone: &Tone, grown: &GrownTone) -> Option<ToneReport> {
     })
 }
 
-/// The report of a growth; `None` of other systems.
+/// The report of Turing's growth; `None` for other systems.
 #[must_use]
 pub fn growth_report(grown: &GrownTone) -> Option<GrowthReport> {
     let least = grown.plan.growth.iter().copied().reduce(f32::min)?;

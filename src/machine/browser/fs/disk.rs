@@ -10,10 +10,10 @@ use crate::machine::clock::SystemTime;
 
 /// The folder that the page keeps from one visit to the next.
 pub const KEPT: &str = "/kept";
-/// Endings and names of files that are not complete, or hold nothing.
+/// File name endings of files that the page does not keep: incomplete ones, and locks, which hold nothing.
 const FLEETING: [&str; 2] = ["part", "lock"];
 
-/// What a file holds.
+/// The content of a file.
 #[derive(Debug)]
 pub(super) struct Content {
     pub(super) bytes: Vec<u8>,
@@ -22,7 +22,7 @@ pub(super) struct Content {
     pub(super) holder: u64,
 }
 
-/// What is at a path.
+/// A file or a folder at a path.
 #[derive(Clone, Debug)]
 pub(super) enum Node {
     Folder,
@@ -36,11 +36,11 @@ impl Node {
     }
 }
 
-/// All files and folders but the root, which is always there.
+/// All files and folders except the root, which always exists.
 #[derive(Debug)]
 pub(super) struct Disk {
     nodes: BTreeMap<PathBuf, Node>,
-    /// Files in [`KEPT`] that were written or deleted since the page asked.
+    /// Files in [`KEPT`] that were written or deleted since the page last asked.
     changed: BTreeSet<PathBuf>,
 }
 
@@ -67,7 +67,7 @@ pub(super) fn normal(path: &Path) -> PathBuf {
     normal
 }
 
-/// The files in [`KEPT`] that have changed since the last call, with what they hold; `None` = deleted.
+/// The files in [`KEPT`] that have changed since the last call, with their content; `None` = deleted.
 #[must_use]
 pub fn take_changed() -> Vec<(PathBuf, Option<Vec<u8>>)> {
     let mut disk = disk();
@@ -94,7 +94,7 @@ impl Disk {
         }
     }
 
-    /// Puts something new there.
+    /// Adds a file or folder at a path.
     pub(super) fn create(&mut self, path: &Path, node: Node) -> io::Result<()> {
         if self.at(path).is_ok() {
             return Err(io::ErrorKind::AlreadyExists.into());
@@ -117,7 +117,7 @@ impl Disk {
         self.note(path);
     }
 
-    /// All that is in a folder and in the folders in it; `true` = a folder.
+    /// All files and folders in a folder and in its subfolders; `true` = a folder.
     pub(super) fn below(&self, folder: &Path) -> Vec<(PathBuf, bool)> {
         let from = self.nodes.range(folder.to_owned()..).skip_while(|(path, _)| *path == folder);
         let inside = from.take_while(|(path, _)| path.starts_with(folder));
@@ -153,7 +153,7 @@ impl Disk {
         Ok(())
     }
 
-    /// Tells the page that a file is to be kept, or no longer.
+    /// Records for the page that a file is to be kept, or no longer.
     pub(super) fn note(&mut self, path: &Path) {
         let stays =
             path.extension().or(path.file_name()).is_none_or(|end| !FLEETING.iter().any(|one| end == *one));

@@ -35,7 +35,7 @@ pub struct OpenOptions {
 }
 
 impl OpenOptions {
-    /// A file that is there.
+    /// Options that open an existing file.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
@@ -63,7 +63,7 @@ impl OpenOptions {
         self
     }
 
-    /// Whether it is emptied.
+    /// Whether the file is emptied.
     pub fn truncate(&mut self, truncate: bool) -> &mut Self {
         self.truncate = truncate;
         self
@@ -72,7 +72,7 @@ impl OpenOptions {
     /// Opens a file.
     ///
     /// # Errors
-    /// It is missing, or there although it must be new; or it is a folder.
+    /// The file is missing, or exists although it must be new; or it is a folder.
     pub fn open(&self, path: impl AsRef<Path>) -> io::Result<File> {
         let (path, mut disk) = (normal(path.as_ref()), disk());
         if self.create_new || self.create && disk.at(&path).is_err() {
@@ -92,7 +92,7 @@ impl File {
     /// Opens a file to read it.
     ///
     /// # Errors
-    /// It is missing, or a folder.
+    /// The file is missing, or is a folder.
     pub fn open(path: impl AsRef<Path>) -> io::Result<Self> {
         OpenOptions::new().open(path)
     }
@@ -100,12 +100,12 @@ impl File {
     /// Opens a file to write it from the beginning.
     ///
     /// # Errors
-    /// Its folder is missing, or it is one.
+    /// Its folder is missing, or a folder has this path.
     pub fn create(path: impl AsRef<Path>) -> io::Result<Self> {
         OpenOptions::new().create(true).truncate(true).open(path)
     }
 
-    /// Takes the lock, which is held until this is dropped.
+    /// Takes the lock, which is held until the file is dropped.
     ///
     /// # Errors
     /// Another open file holds it.
@@ -118,7 +118,7 @@ impl File {
         Ok(())
     }
 
-    /// What was written is there at once; the page is told.
+    /// Tells the page that the file was written. The bytes themselves are there at once.
     ///
     /// # Errors
     /// None.
@@ -127,7 +127,7 @@ impl File {
         Ok(())
     }
 
-    /// Everyone may use every file.
+    /// Does nothing: everyone may use every file.
     ///
     /// # Errors
     /// None.
@@ -206,7 +206,7 @@ impl Seek for File {
 }
 
 impl Drop for File {
-    /// Releases the lock. What was written without [`File::sync_all`] is kept, too.
+    /// Releases the lock. A file that was written without [`File::sync_all`] is kept as well.
     fn drop(&mut self) {
         let mut content = locked(&self.content);
         if content.holder == self.number {

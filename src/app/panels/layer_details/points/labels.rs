@@ -1,4 +1,4 @@
-//! What gives the points of a field their values: the kind of labels, and the numbers of that kind.
+//! The rows about what gives the points of a field their values: the kind of labels, and the numbers of that kind.
 
 use egui::{ComboBox, Response, Ui};
 
@@ -24,7 +24,7 @@ const KINDS: [(&str, &str, &str); 8] = [
 
 /// The rows about labels; changes `labels`, and asks for a picture where one is needed.
 pub(super) fn labels(ui: &mut Ui, labels: &mut Labels) -> Option<Action> {
-    let help = "What gives points their values";
+    let help = "How each point gets its value, from light to dark";
     let default = matches!(labels, Labels::Random { .. });
     let mut asked = false;
     let reset = row(ui, "Values", help, default, |ui| kind(ui, labels, &mut asked));
@@ -59,10 +59,10 @@ fn kind(ui: &mut Ui, labels: &mut Labels, asked: &mut bool) -> Response {
 
 /// The numbers of this kind of labels.
 fn numbers(ui: &mut Ui, labels: &mut Labels) {
-    let size_help = "Points a cluster";
+    let size_help = "Number of points in a cluster";
     match labels {
         Labels::Values { group } => {
-            let help = "Neighbours that share a value: larger cells of several points";
+            let help = "Number of neighbouring points that share a value: more points make larger cells";
             whole(ui, "Points a group", help, group, Labels::GROUP, limits::GROUP);
         }
         Labels::Random { dark } => {
@@ -70,11 +70,12 @@ fn numbers(ui: &mut Ui, labels: &mut Labels) {
             between(ui, "Dark", help, dark, [Labels::DARK; 2], fields::probability);
         }
         Labels::Image { passes, .. } => {
-            let help = "Each pass takes what grew in the one before it for the picture, with finer points: uneven outlines as of a coast";
+            let help = "Each pass uses the result of the pass before as its picture, with finer points: the \
+                        outlines become uneven, like a coast";
             whole(ui, "Passes", help, passes, Labels::PASSES, [1, limits::PASSES]);
         }
         Labels::SpaceGiraffe { rays } => {
-            let help = "The fewest and the most rays round a cell: the fewer, the more uneven";
+            let help = "The fewest and the most rays around a cell: with fewer rays its edge is more uneven";
             between(ui, "Rays", help, rays, Labels::RAYS, fields::rays);
         }
         Labels::BreadthFirst { size } | Labels::DepthFirst { size } => {

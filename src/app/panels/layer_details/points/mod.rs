@@ -22,7 +22,8 @@ pub(super) fn rows(ui: &mut Ui, session: &Session, before: &Points) -> Vec<Actio
     if varies(&points) {
         actions.extend(progression(ui, &mut points.progression));
     }
-    let help = "Each octave adds points at half the distance with half the weight: finer detail";
+    let help = "Number of sets of points: each further one has half the distance and half the weight, and \
+                adds finer detail";
     whole(ui, "Octaves", help, &mut points.octaves, 1, [1, limits::POINT_OCTAVES]);
     fold(ui, &mut points.fold);
     interpolation(ui, &mut points.interpolation);
@@ -59,7 +60,7 @@ fn between<T: Copy + PartialEq>(
     }
 }
 
-/// Whether distances or probabilities go from one value to another.
+/// Whether distances or probabilities change along the canvas.
 fn varies(points: &Points) -> bool {
     let distances = points.distance.is_some_and(|[first, last]| first != last);
     distances || matches!(points.labels, Labels::Random { dark: [first, last] } if first != last)
@@ -67,8 +68,8 @@ fn varies(points: &Points) -> bool {
 
 fn distance(ui: &mut Ui, session: &Session, is_drawn: bool, distance: &mut Option<[f64; 2]>) {
     let name = "Distance";
-    let help = "No two points are nearer to each other; the two numbers hold at the two ends of the canvas. \
-                As drawn: as the drawn ellipses";
+    let help = "The least distance between two points; the two numbers are for the two ends of the canvas. As \
+                drawn: the distance of the drawn ellipses";
     let longer = session.document().size.into_iter().max().map_or(0.0, f64::from);
     let begin = (longer / Points::ACROSS).round().max(limits::POINT_DISTANCE.low);
     let is_default = distance.is_none();
@@ -81,7 +82,7 @@ fn distance(ui: &mut Ui, session: &Session, is_drawn: bool, distance: &mut Optio
     }
 }
 
-/// The box that is ticked where a value follows the drawn marks, or is chosen where there are none.
+/// The box that is ticked where a value follows the drawn marks, or is chosen by dapple where there are none.
 fn automatic<T>(ui: &mut Ui, name: &str, is_drawn: bool, value: &mut Option<T>, begin: T) -> Response {
     let mut ticked = value.is_none();
     let text = if is_drawn { "as drawn" } else { "automatic" };
@@ -96,8 +97,8 @@ fn progression(ui: &mut Ui, progression: &mut Progression) -> Option<Action> {
     const PICTURE: &str = "By a picture…";
     const ALONG: [(&str, Progression); 3] =
         [("Across", Progression::Across), ("Down", Progression::Down), ("Outward", Progression::Outward)];
-    let help = "Along which way the first number goes to the second: from left to right, from top to bottom, from the middle \
-                to the corners, or from black to white of a picture";
+    let help = "The way along which the first number changes into the second: from left to right, from top to \
+                bottom, from the middle to the corners, or from black to white of a picture";
     let mut asked = false;
     let default = *progression == Progression::Across;
     let control = |ui: &mut Ui| {
@@ -120,7 +121,7 @@ fn progression(ui: &mut Ui, progression: &mut Progression) -> Option<Action> {
 }
 
 fn fold(ui: &mut Ui, fold: &mut bool) {
-    let help = "Folds the values at the middle gray: dark creases, as of marble";
+    let help = "Values above the middle gray are mirrored at it: this makes dark creases, as in marble";
     if row(ui, "Fold", help, !*fold, |ui| ui.checkbox(fold, "").accessible_name("Fold")) {
         *fold = false;
     }
@@ -129,8 +130,8 @@ fn fold(ui: &mut Ui, fold: &mut bool) {
 fn interpolation(ui: &mut Ui, interpolation: &mut Interpolation) {
     const READ: [(&str, Interpolation); 2] =
         [("Smooth", Interpolation::Smooth), ("Sharp", Interpolation::Nearest)];
-    let help =
-        "Between points: the weighted mean of those around, or cells of one point each with sharp borders";
+    let help = "Between points. Smooth: a mixture of the values of the points around. Sharp: one cell around \
+                each point, with sharp borders";
     let default = *interpolation == Interpolation::Smooth;
     let control = |ui: &mut Ui| {
         let now = READ.iter().find(|(_, one)| one == interpolation).map_or("", |(name, _)| name);
@@ -147,16 +148,17 @@ fn interpolation(ui: &mut Ui, interpolation: &mut Interpolation) {
     }
 }
 
-/// How far the weight of a point reaches, and to which side it leans.
+/// The rows about how far the weight of a point reaches, and to which side it leans.
 fn weights(ui: &mut Ui, points: &mut Points) {
     let default = Points::default();
-    let help = "How far a point reaches, in distances to its neighbours: the longer, the smoother";
+    let help =
+        "How far the value of a point reaches, in distances between neighbours: the farther, the smoother";
     let is_default = points.axis == default.axis;
     let control = |ui: &mut Ui| fields::number(ui, "Reach", &mut points.axis, &limits::AXIS);
     if row(ui, "Reach", help, is_default, control) {
         points.axis = default.axis;
     }
-    let help = "How strongly points lean to one side: it bends the borders between them";
+    let help = "How far points reach to one side more than to the other: this bends the borders between them";
     let is_default = points.shift == default.shift;
     let control = |ui: &mut Ui| fields::number(ui, "Lean", &mut points.shift, &limits::SHIFT);
     if row(ui, "Lean", help, is_default, control) {
@@ -170,7 +172,8 @@ fn weights(ui: &mut Ui, points: &mut Points) {
 fn towards(ui: &mut Ui, towards: &mut Towards) {
     /// The angle that is set first, degrees.
     const ANGLE: f64 = 0.0;
-    let help = "Where they lean to: each to a random side, away from the middle, or at an angle";
+    let help =
+        "The side to which points lean: each to a random side, all away from the middle, or all at an angle";
     let default = *towards == Towards::Random;
     let control = |ui: &mut Ui| {
         let now = match towards {
@@ -192,7 +195,7 @@ fn towards(ui: &mut Ui, towards: &mut Towards) {
         *towards = Towards::Random;
     }
     if let Towards::Angle(angle) = towards {
-        let (name, help) = ("Angle", "From +x toward +y");
+        let (name, help) = ("Angle", "0° is to the right, 90° is down");
         let is_default = angle.to_bits() == ANGLE.to_bits();
         if row(ui, name, help, is_default, |ui| fields::degrees(ui, name, angle)) {
             *angle = ANGLE;
@@ -201,10 +204,11 @@ fn towards(ui: &mut Ui, towards: &mut Towards) {
 }
 
 fn level(ui: &mut Ui, is_drawn: bool, value: &mut Option<f64>) {
-    /// What the field begins at.
+    /// The value that the field begins with.
     const BEGIN: f64 = 0.5;
-    let name = "Share";
-    let help = "The share of the canvas that is dark. Automatic: as the labels ask, or as it comes. As drawn: as the drawn ellipses cover it";
+    let name = "Dark area";
+    let help = "The share of the canvas that is dark. Automatic: the share that follows from the values of \
+                the points. As drawn: the share that the drawn ellipses cover";
     let is_default = value.is_none();
     let control = |ui: &mut Ui| match value {
         None => automatic(ui, name, is_drawn, value, BEGIN),

@@ -1,4 +1,4 @@
-//! The tracer by itself.
+//! Tests of the tracing alone.
 
 use super::*;
 

@@ -4,9 +4,9 @@ use gltf::accessor::{DataType, Dimensions, Item, Iter};
 use gltf::buffer::{Source, View};
 use gltf::{Accessor, Gltf};
 
-/// What the address of a buffer that stands in the JSON begins with.
+/// The beginning of the address of an embedded buffer.
 const DATA: &str = "data:";
-/// What its bytes follow.
+/// The text before its bytes.
 const BASE64: &str = ";base64,";
 
 /// The bytes of all buffers.
@@ -18,7 +18,7 @@ impl<'a> Buffers<'a> {
     /// The buffers of a file.
     ///
     /// # Errors
-    /// What was found: a buffer that is not in the file.
+    /// The problem: a buffer that is not in the file.
     pub fn new(read: &'a Gltf) -> Result<Self, String> {
         let bytes = |buffer: gltf::Buffer<'a>| match buffer.source() {
             Source::Bin => read
@@ -36,10 +36,10 @@ impl<'a> Buffers<'a> {
         Ok(Self { buffers: read.buffers().map(bytes).collect::<Result<_, String>>()? })
     }
 
-    /// Vectors of an accessor.
+    /// The vectors of an accessor.
     ///
     /// # Errors
-    /// What was found: other numbers, or too few.
+    /// The problem: other numbers, or too few.
     pub fn vectors<const N: usize>(&self, accessor: &Accessor) -> Result<Vec<[f64; N]>, String>
     where
         [f32; N]: Item,
@@ -53,10 +53,10 @@ impl<'a> Buffers<'a> {
         Ok(values.map(|vector| vector.map(f64::from)).collect())
     }
 
-    /// Texture coordinates: numbers, or shares of 255 or 65535.
+    /// Texture coordinates: numbers, or integers in units of 1/255 or 1/65535.
     ///
     /// # Errors
-    /// What was found: too few numbers.
+    /// The problem: too few numbers.
     pub fn uvs(&self, accessor: &Accessor) -> Result<Option<Vec<[f64; 2]>>, String> {
         Ok(match (accessor.dimensions(), accessor.data_type()) {
             (Dimensions::Vec2, DataType::F32) => Some(self.vectors(accessor)?),
@@ -75,7 +75,7 @@ impl<'a> Buffers<'a> {
     /// Indices of vertices.
     ///
     /// # Errors
-    /// What was found: other numbers, or too few.
+    /// The problem: other numbers, or too few.
     pub fn indices(&self, accessor: &Accessor) -> Result<Vec<u32>, String> {
         Ok(match (accessor.dimensions(), accessor.data_type()) {
             (Dimensions::Scalar, DataType::U8) => self.values::<u8>(accessor)?.map(u32::from).collect(),
@@ -89,7 +89,7 @@ impl<'a> Buffers<'a> {
         let count = accessor.count();
         let bytes: usize = self.buffers.iter().map(|buffer| buffer.len()).sum();
         let few = || format!("{count} numbers that the buffers do not have");
-        // The library computes with counts and offsets before it looks whether the bytes are there.
+        // The library computes with counts and offsets before it checks that the bytes exist.
         let (mut counts, mut offsets) = (vec![count], vec![accessor.offset()]);
         let mut views: Vec<View> = accessor.view().into_iter().collect();
         if let Some(sparse) = accessor.sparse() {

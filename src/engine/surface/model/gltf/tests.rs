@@ -42,7 +42,7 @@ fn nodes_put_meshes_where_they_are_and_are_objects() {
     assert_eq!(model.parts[0].material.as_deref(), Some("fur"));
     assert_eq!(model.positions[..3], [[10.0, 0.0, 0.0], [11.0, 0.0, 0.0], [10.0, 1.0, 0.0]]);
     assert_eq!(model.positions[3..], [[10.0, 0.0, 0.0], [8.0, 0.0, 0.0], [10.0, 2.0, 0.0]]);
-    // A mirrored triangle is turned, so that it faces the same side.
+    // The corners of a mirrored triangle are reversed, so that it faces the same side.
     assert_eq!(model.faces[1].corners.map(|corner| corner.position), [3, 5, 4]);
     assert_eq!(model.uvs[..3], [[0.0, 1.0], [1.0, 1.0], [0.0, 0.0]]);
     assert!(model.notes.is_empty());

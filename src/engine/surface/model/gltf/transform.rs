@@ -1,4 +1,4 @@
-//! Where a node puts what is in it: an affine map.
+//! The transformation of a node: an affine map.
 
 use crate::surface::vector::{cross, dot, times};
 
@@ -15,21 +15,21 @@ impl Default for Transform {
 }
 
 impl From<[[f32; 4]; 4]> for Transform {
-    /// From a matrix column by column.
+    /// The transformation of a matrix that is stored column by column.
     fn from(matrix: [[f32; 4]; 4]) -> Self {
         Self { columns: matrix.map(|[x, y, z, _]| [x, y, z].map(f64::from)) }
     }
 }
 
 impl Transform {
-    /// First `inner`, then this one.
+    /// The composition: first `inner`, then this one.
     #[must_use]
     pub fn then(&self, inner: &Self) -> Self {
         let [x, y, z, origin] = inner.columns;
         Self { columns: [self.vector(x), self.vector(y), self.vector(z), self.point(origin)] }
     }
 
-    /// Where a place comes to lie.
+    /// The image of a point.
     #[must_use]
     pub fn point(&self, at: [f64; 3]) -> [f64; 3] {
         let moved = self.vector(at);
@@ -41,7 +41,7 @@ impl Transform {
         std::array::from_fn(|axis| x * a[axis] + y * b[axis] + z * c[axis])
     }
 
-    /// Where a normal points: by the cofactors, which keep it at a right angle to the surface.
+    /// The image of a normal: by the cofactors, which keep it perpendicular to the surface.
     #[must_use]
     pub fn normal(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         let [a, b, c, _] = self.columns;
@@ -50,7 +50,7 @@ impl Transform {
         times(turned, if self.is_mirrored() { -1.0 } else { 1.0 })
     }
 
-    /// Whether it turns what is inside out, as a mirror does.
+    /// Whether the transformation reverses orientations, like a mirror.
     #[must_use]
     pub fn is_mirrored(&self) -> bool {
         let [a, b, c, _] = self.columns;

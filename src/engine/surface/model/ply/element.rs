@@ -1,4 +1,4 @@
-//! What is kept of an element of a PLY file: a vertex, a face, or triangle strips.
+//! The data that are kept of an element of a PLY file: a vertex, a face, or triangle strips.
 
 use ply_rs_bw::ply::{Property, PropertyAccess};
 
@@ -30,7 +30,7 @@ impl PropertyAccess for Element {
             "nx" => set(&mut self.normal, 0, &property),
             "ny" => set(&mut self.normal, 1, &property),
             "nz" => set(&mut self.normal, 2, &property),
-            // Blender, MeshLab and others each have names of their own.
+            // Blender, MeshLab and others use different names.
             "s" | "u" | "texture_u" => set(&mut self.uv, 0, &property),
             "t" | "v" | "texture_v" => set(&mut self.uv, 1, &property),
             "vertex_indices" | "vertex_index" => self.indices = integers(property),

@@ -49,7 +49,7 @@ fn seeds() -> Vec<Vec<u8>> {
     vec![OBJ.to_vec(), STL.to_vec(), PLY.to_vec(), stl, ply, glb()]
 }
 
-/// Whether all indices of a model are of something.
+/// Whether all indices of a model are in range.
 pub fn is_whole(model: &Model) -> bool {
     model.faces.iter().all(|face| {
         (face.part as usize) < model.parts.len()

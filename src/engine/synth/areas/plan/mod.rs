@@ -21,23 +21,23 @@ use polygons::{PolygonForm, drawn_gap};
 
 /// Corners of a kept ellipse or freehand outline.
 const CORNERS: usize = 64;
-/// Places along a side at which the map is asked for the finest cell.
+/// Number of places along a side at which the map is read to find the finest cell.
 const SAMPLES: usize = 16;
 
 /// Patches or cells that are ready to grow.
 #[derive(Clone, Debug)]
 pub struct AreaPlan {
-    /// What is wanted where, but for the form; every spacing is filled.
+    /// The wanted attributes by place, without the form of the areas; every spacing is filled in.
     pub map: AttributeMap,
     /// The grid over the canvas, px.
     pub grid: Grid,
     /// The drawn marks that are reproduced, each with its index.
     pub kept: Vec<(usize, Outline)>,
-    /// What the user should know.
+    /// Notes for the user.
     pub notes: Vec<String>,
     /// Cells of the grid that the marks of the layers beneath have taken; empty = none.
     pub obstacles: Vec<bool>,
-    /// What they are, and what only these have.
+    /// The kind of areas, with what is particular to it.
     pub form: AreaForm,
 }
 
@@ -50,7 +50,7 @@ pub enum AreaForm {
     Polygons(PolygonForm),
 }
 
-/// The rows of cells, where layer `index` of `document` grows these.
+/// The training rows of cells, if layer `index` of `document` grows cells.
 ///
 /// # Errors
 /// They cannot be read.
@@ -66,7 +66,7 @@ pub fn rows_of_cells<'a>(
 }
 
 impl AreaPlan {
-    /// Reads layer `index` of a document named `source`, on a canvas of `size` px. Of cells, `rows` say how far their laws are off.
+    /// Reads layer `index` of a document named `source`, on a canvas of `size` px. For cells, `rows` hold the errors of their laws.
     ///
     /// # Errors
     /// Its marks are lines, or a rule of layers is broken: file, place, what is allowed.
@@ -95,7 +95,7 @@ impl AreaPlan {
         notes.extend(kind.filter(|_| layer.areas().is_none()).map(chosen));
         let form = match kind {
             Some(AreaKind::Polygons) => {
-                // On the canvas that is grown, marks may be farther apart.
+                // On a canvas of another size, the distances of marks may differ.
                 let own = Bounds { size: document.size.map(f64::from), edges: document.edges };
                 let drawn = drawn_gap(&sketch_targets::marks(document, index, source)?, &own);
                 AreaForm::Polygons(PolygonForm::new(layer.options.gap, drawn, &mut map, rows, &mut notes))
@@ -115,7 +115,7 @@ impl AreaPlan {
         Ok(plan)
     }
 
-    /// What they are.
+    /// The kind of areas.
     #[must_use]
     pub fn kind(&self) -> AreaKind {
         match self.form {
@@ -136,12 +136,12 @@ impl AreaPlan {
         self.grid.px_a_cell()
     }
 
-    /// What is wanted at a place, px; beyond a closed border as at the nearest place on it.
+    /// The wanted attributes at a place, px; beyond a closed border those of the nearest place on it.
     #[must_use]
     pub fn wanted(&self, at: [f64; 2]) -> Wanted {
         let at = self.canvas().inside(at);
         let Some(spots) = spots(&self.map.at(at)) else {
-            // Marks are ellipses, so that none are wanted otherwise.
+            // Marks of areas are ellipses, so that the map holds no other attributes.
             return Wanted {
                 area: 1.0,
                 spacing: 2.0,
@@ -157,13 +157,14 @@ impl AreaPlan {
         }
     }
 
-    /// What is asked at a place, px: of cells with the distance that follows from their area and the lines between them.
+    /// The attributes that are asked for at a place, px; for cells with the distance that follows from their area and the lines
+    /// between them.
     #[must_use]
     pub fn asked(&self, at: [f64; 2]) -> Attributes {
         self.with_spacing(self.map.at(at))
     }
 
-    /// What is asked at the centre of a region.
+    /// The attributes that are asked for at the centre of a region.
     #[must_use]
     pub fn asked_of_region(&self, place: [usize; 2]) -> Attributes {
         self.with_spacing(self.map.of_region(place))
@@ -184,14 +185,14 @@ impl AreaPlan {
         self.obstacles.get(self.grid.cell_at(self.grid.to_cells(at))).copied().unwrap_or(false)
     }
 
-    /// What is wanted at places spread evenly over the canvas.
+    /// The wanted attributes at places spread evenly over the canvas.
     fn samples(&self) -> impl Iterator<Item = Wanted> {
         let size = self.canvas().size;
         let place = move |k: usize, axis: usize| (k as f64 + 0.5) / SAMPLES as f64 * size[axis];
         (0..SAMPLES * SAMPLES).map(move |k| self.wanted([place(k % SAMPLES, 0), place(k / SAMPLES, 1)]))
     }
 
-    /// Sides of kept outlines whose distance is asked for, of all cells and points.
+    /// Number of distances to sides of kept outlines that are computed, over all cells and points.
     pub fn asked_sides(&self) -> f64 {
         let px = self.px_a_cell() * self.px_a_cell();
         let of_outline = |outline: &Outline| {
@@ -219,7 +220,7 @@ impl AreaPlan {
     }
 }
 
-/// Why areas grow where the system is chosen automatically and no outlines are drawn.
+/// The note why areas grow although the system is chosen automatically and no outlines are drawn.
 fn chosen(kind: AreaKind) -> String {
     let name = kind.description().name;
     format!(
@@ -227,7 +228,7 @@ fn chosen(kind: AreaKind) -> String {
     )
 }
 
-/// The corners of a drawn mark on the canvas that is grown, and how ragged it is.
+/// The corners of a drawn mark on the canvas that is grown, and its raggedness.
 pub(super) struct Shape {
     pub center: [f64; 2],
     pub corners: Vec<[f64; 2]>,

@@ -1,4 +1,4 @@
-//! What only patches have: how ragged they are, and the points that they are made of.
+//! The part of a plan that only patches have: their raggedness and their points.
 
 use super::{AreaPlan, Shape, spots};
 use crate::attributes::regions::RegionGrid;
@@ -8,18 +8,19 @@ use crate::grid::distance::{length, nearest};
 use crate::points::discs::{Laying, POINTS_A_SQUARE};
 use crate::points::patches::{Outline, Patches, Wanted};
 
-/// The share of the plane that patches cover where only one was drawn: that of a Holstein.
+/// The share of the plane that patches cover if only one was drawn: that of a Holstein.
 pub(in crate::synth) const USUAL_COVERAGE: f64 = 0.35;
-/// Patches that cover more have no room, however fine their points (`facts.md` U: sixty sketches up to 0.7).
+/// The largest share that patches can cover: beyond it they find no room, however fine their points (`facts.md` U: sixty sketches
+/// up to 0.7).
 pub(in crate::synth) const MOST_COVERAGE: f64 = 0.72;
-/// Cells of the grid in a distance of points. With 2.5, sixty sketches met what was asked (`facts.md` U).
+/// Cells of the grid per distance of points. With 2.5, sixty sketches got what they asked for (`facts.md` U).
 const CELLS: f64 = 3.0;
-/// Cells of the grid in a distance of points of kept outlines, which are finer than their outlines need.
+/// Cells of the grid per distance of points in kept outlines, whose points are finer than the outlines need.
 const KEPT_CELLS: f64 = 1.5;
-/// Distance from a drawn mark, in mean spacings, at which others say as much about raggedness as it does.
+/// Distance from a drawn mark, in mean spacings, at which its weight in the raggedness of a place has fallen to a quarter.
 const SMOOTHING: f64 = 0.5;
 
-/// What only patches have.
+/// The part of a plan that only patches have.
 #[derive(Clone, Debug)]
 pub struct PatchForm {
     /// Points a patch.
@@ -27,7 +28,7 @@ pub struct PatchForm {
     ragged: Ragged,
 }
 
-/// How ragged patches are.
+/// The raggedness of patches.
 #[derive(Clone, Debug)]
 enum Ragged {
     /// σ, everywhere.
@@ -37,8 +38,8 @@ enum Ragged {
 }
 
 impl PatchForm {
-    /// The patches that the `options` and the drawn `shapes` say; fills the spacings of `map`, and tells in `notes` where they
-    /// are wider than drawn.
+    /// The form of the patches, from the `options` and the drawn `shapes`. Fills in the spacings of `map`, and adds to `notes`
+    /// where patches must be farther apart than drawn.
     pub(super) fn new(
         options: &LayerOptions,
         map: &mut AttributeMap,
@@ -62,7 +63,7 @@ impl PatchForm {
         Self { detail: options.detail, ragged }
     }
 
-    /// What is wanted at a place, px, where the map says `spots` and how much they vary.
+    /// The wanted attributes at a place, px, where the map gives `spots` and their spread.
     pub(super) fn wanted(
         &self,
         Spots { area, aspect, angle, spacing }: Spots,
@@ -81,7 +82,7 @@ impl PatchForm {
         Wanted { raggedness, ..wanted }
     }
 
-    /// The cells that no patch of `plan` may claim: those that are taken, and those nearer to them than one distance of points.
+    /// The cells that no patch of `plan` may claim: those that are taken, and cells closer to these than one distance of points.
     #[must_use]
     pub fn blocked(&self, plan: &AreaPlan) -> Vec<bool> {
         let Some(ways) = nearest(&plan.obstacles, &plan.grid) else { return Vec::new() };
@@ -92,13 +93,13 @@ impl PatchForm {
         ways.iter().enumerate().map(is_near).collect()
     }
 
-    /// What laying the points of `plan` takes.
+    /// The work of laying the points of `plan`.
     #[must_use]
     pub fn laying(&self, plan: &AreaPlan) -> Laying {
         self.patches(plan, &|at| plan.wanted(at)).laying()
     }
 
-    /// How often two centres are compared in laying those of `plan`, at most.
+    /// Upper bound of the comparisons of two centres in laying the centres of `plan`.
     #[must_use]
     pub fn compared(&self, plan: &AreaPlan) -> f64 {
         self.patches(plan, &|at| plan.wanted(at)).compared()
@@ -108,7 +109,7 @@ impl PatchForm {
         Patches { grid: plan.grid, wanted, kept: &[], blocked: None, detail: self.detail, seed: 0 }
     }
 
-    /// The cell of the grid that the points of such patches need, px.
+    /// Cell of the grid that the points of such patches need, px.
     pub(super) fn cell(&self, wanted: &Wanted) -> f64 {
         distance_of_points(wanted, self.detail) / CELLS
     }
@@ -125,7 +126,8 @@ pub(super) fn cell_of_kept(outline: &Outline) -> f64 {
 }
 
 impl Ragged {
-    /// The raggedness of the drawn shapes: by regions their means, else at each place the mean of those around it.
+    /// The raggedness of the drawn shapes: with regions their mean in each region, otherwise at each place the mean of the shapes
+    /// around it.
     fn drawn(map: &AttributeMap, shapes: &[Shape]) -> Self {
         if !map.is_free() {
             return Self::of_regions(map, shapes);
@@ -144,7 +146,7 @@ impl Ragged {
         Self::Drawn(layout, (0..layout.len()).map(value).collect())
     }
 
-    /// The mean of the shapes in each region; of an empty one that of the nearest with marks.
+    /// The mean of the shapes in each region; an empty region has that of the nearest region with marks.
     fn of_regions(map: &AttributeMap, shapes: &[Shape]) -> Self {
         let layout = *map.layout();
         let mut sums = vec![[0.0; 2]; layout.len()];
@@ -161,7 +163,7 @@ impl Ragged {
     }
 }
 
-/// The mean spacing of what is wanted, px; where it is free, that of [`USUAL_COVERAGE`].
+/// The mean wanted spacing, px; where the spacing is free, that of [`USUAL_COVERAGE`].
 fn mean_spacing(map: &AttributeMap) -> f64 {
     let of = |spots: Spots| spots.spacing.unwrap_or(Wanted::spacing_of_coverage(spots.area, USUAL_COVERAGE));
     let all: Vec<f64> = map.of_regions().iter().filter_map(spots).map(of).collect();

@@ -1,4 +1,4 @@
-//! What only cells have: the width of the lines between them, and the distances and sizes that follow from it.
+//! The part of a plan that only cells have: the width of the lines between them, and the distances and sizes that follow from it.
 
 use super::{AreaPlan, spots};
 use crate::attributes::{AttributeMap, Attributes, Spots, Spread};
@@ -14,50 +14,50 @@ use crate::rd::pairs::HELD;
 use crate::rd::pairs::polygons::{BLURS, TIME, distance, model, size, widest_gap};
 use crate::rd::pairs::work::{Sizes, updates};
 
-/// Cells of the grid in the size of the pair: of fewer than 1.5, edges stick to the grid (`facts.md` H).
+/// Cells of the grid per size of the pair: with fewer than 1.5, edges stick to the grid (`facts.md` H).
 const CELLS: f64 = 1.75;
-/// Width of the lines ÷ √area where no two drawn outlines nearly touch: that of a giraffe.
+/// Width of the lines ÷ √area if no two drawn outlines nearly touch: that of a giraffe.
 pub const USUAL: f64 = 0.2;
 /// Two outlines nearly touch where the gap between them is at most this share of √area of the smaller one.
 const NEAR: f64 = 0.5;
-/// √(canvas ÷ cells) ÷ the distance of neighbours, of a hexagonal lattice.
+/// √(canvas ÷ cells) ÷ the distance of neighbours, in a hexagonal lattice.
 const DISTANCE: f64 = 0.930_604_859_102_099_6;
 
-/// How exactly points are laid: what their distance is off, the gap is off by several times as much.
+/// Accuracy with which points are laid: an error of their distance causes an error of the gap that is several times as large.
 pub const EFFORT: Effort = Effort { tries: 16, close: 0.002 };
-/// Mean elongation −ln aspect that cells of round metric have, without relaxation: an aspect of .84.
+/// Mean elongation −ln aspect of cells with an isotropic metric, without relaxation: an aspect of 0.84.
 const OWN_ELONGATION: f64 = 0.174;
 /// Steps of Lloyd's relaxation where the drawn cells are round.
 const MOST_RELAXED: f64 = 12.0;
 
-/// What only cells have.
+/// The part of a plan that only cells have.
 #[derive(Clone, Debug)]
 pub struct PolygonForm {
     /// Width of the lines between them, px.
     pub gap: f64,
-    /// Steps of Lloyd's relaxation: the rounder the drawn cells, the more.
+    /// Steps of Lloyd's relaxation: more for rounder drawn cells.
     pub relaxed: usize,
-    /// By what the size of the pair and the distance of the cells differ from their laws, as learnt.
+    /// Correction of the laws for the size of the pair and the distance of the cells, from training rows.
     pub learnt: LearntFactors,
 }
 
-/// Factors by which cells differ from their laws.
+/// Factors between the laws and grown cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LearntFactors {
-    /// Of the size of the pair.
+    /// Factor of the size of the pair.
     pub size: f64,
-    /// Of the distance of the cells.
+    /// Factor of the distance of the cells.
     pub distance: f64,
 }
 
 impl LearntFactors {
-    /// The sizes that the laws themselves give.
+    /// No correction.
     pub const NONE: Self = Self { size: 1.0, distance: 1.0 };
 }
 
 impl PolygonForm {
-    /// The gaps that the option and the `drawn` gap say, px; fills the spacings of `map`, and tells in `notes` what differs from
-    /// the sketch.
+    /// The form of the cells, with the gap, px, from the option or the `drawn` gap. Fills in the spacings of `map`, and adds to
+    /// `notes` what differs from the sketch.
     pub(super) fn new(
         choice: GapChoice,
         drawn: Option<f64>,
@@ -93,12 +93,12 @@ impl PolygonForm {
         form
     }
 
-    /// What is wanted where the map says `spots`: the spacing follows from the area and the lines.
+    /// The wanted attributes where the map gives `spots`: the spacing follows from the area and the lines.
     #[must_use]
     pub fn wanted(&self, spots: &Spots) -> Wanted {
         let Spots { area, aspect, angle, .. } = *spots;
         let aspect = libm::exp(-elongation_of_metric(-libm::log(aspect)));
-        // What the gap takes from the mean side it takes from both.
+        // The gap reduces both sides by what it takes from the mean side.
         let taken = self.learnt.distance * distance(area.sqrt(), self.gap) - area.sqrt();
         let [major, minor] = [(area / aspect).sqrt(), (area * aspect).sqrt()].map(|side| side + taken);
         Wanted {
@@ -123,19 +123,19 @@ impl PolygonForm {
         self.learnt.size * size(self.gap, Self::distance_of(wanted))
     }
 
-    /// What laying the points of `plan` takes.
+    /// The work of laying the points of `plan`.
     #[must_use]
     pub fn laying(&self, plan: &AreaPlan) -> Laying {
         centers::laying(&Extent::from(plan.canvas()), &|at| Pitch::from(plan.wanted(at)))
     }
 
-    /// How often two points of `plan` are compared in laying them, at most.
+    /// Upper bound of the comparisons of two points in laying those of `plan`.
     #[must_use]
     pub fn compared(&self, plan: &AreaPlan) -> f64 {
         centers::compared(&Extent::from(plan.canvas()), &|at| Pitch::from(plan.wanted(at)), EFFORT)
     }
 
-    /// Updates of one morphogen in one cell of the grid of `plan` that growing takes.
+    /// Updates of one morphogen in one cell of the grid of `plan` during the growth.
     #[must_use]
     pub fn updates(&self, plan: &AreaPlan) -> f64 {
         let sizes: Vec<f64> = plan.samples().map(|wanted| self.size(&wanted) / plan.px_a_cell()).collect();
@@ -145,7 +145,7 @@ impl PolygonForm {
         updates(plan.grid.cells() as f64, &[pair], f64::from(model().ratio), HELD + TIME, true)
     }
 
-    /// The cell of the grid that such cells need, px.
+    /// Cell of the grid that such cells need, px.
     pub(super) fn cell(&self, wanted: &Wanted) -> f64 {
         self.size(wanted) / CELLS
     }
@@ -157,15 +157,16 @@ fn mean_of(wanted: &[Attributes], number: impl Fn(&Spots) -> f64) -> f64 {
     mean(&numbers).unwrap_or(1.0)
 }
 
-/// The elongation −ln aspect of the metric of cells whose mean elongation is to be `wanted`: to it comes, at random directions, what
-/// Voronoi cells have of their own, r. The mean of |e + r| is about e + <r²> ÷ 4e, with <r²> = 4/π of the square of the mean of |r|.
+/// The elongation −ln aspect e of the metric that gives cells a mean elongation of `wanted`. Voronoi cells have a random elongation
+/// r of their own, in random directions, which adds to it. The mean of |e + r| is about e + <r²> ÷ 4e, and <r²> is 4/π of the
+/// square of the mean of |r|.
 fn elongation_of_metric(wanted: f64) -> f64 {
     let square = 4.0 / std::f64::consts::PI * OWN_ELONGATION * OWN_ELONGATION;
     0.5 * (wanted + (wanted * wanted - square).max(0.0).sqrt())
 }
 
-/// The drawn width of the lines between cells, px: the mean of the lines beside the ellipses, else the mean gap between ellipses that
-/// nearly touch; `None` without either.
+/// The drawn width of the lines between cells, px: the mean width of the lines beside the ellipses, or else the mean gap between
+/// ellipses that nearly touch; `None` without either.
 pub(super) fn drawn_gap(marks: &[Mark], canvas: &Bounds) -> Option<f64> {
     let width = |mark: &Mark| match mark {
         Mark::Ellipse(_) => None,
@@ -188,7 +189,7 @@ fn gap_between_ellipses(marks: &[Mark], canvas: &Bounds) -> Option<f64> {
     Some(mean(&pairs.collect::<Vec<_>>())?.max(1.0))
 }
 
-/// `None` of nothing.
+/// The mean; `None` without values.
 fn mean(values: &[f64]) -> Option<f64> {
     (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
 }
@@ -213,12 +214,12 @@ mod tests {
         let disc =
             |x: f64, y: f64| Mark::Ellipse(Ellipse { center: [x, y], radii: [10.0, 10.0], angle: 0.0 });
         let canvas = Bounds { size: [200.0, 100.0], edges: Edges::Closed };
-        // 4 px, 6 px, and far away.
+        // Gaps of 4 px and 6 px, and a mark far away.
         let found =
             drawn_gap(&[disc(20.0, 50.0), disc(44.0, 50.0), disc(44.0, 76.0), disc(150.0, 50.0)], &canvas);
         assert!((found.expect("two gaps") - 5.0).abs() < 0.7, "{found:?}");
         assert_eq!(drawn_gap(&[disc(20.0, 50.0), disc(90.0, 50.0)], &canvas), None);
-        // Across the border of a tile.
+        // The gap crosses the border of a tile.
         let tile = Bounds { edges: Edges::Wrap, ..canvas };
         let across = drawn_gap(&[disc(11.0, 50.0), disc(186.0, 50.0)], &tile);
         assert!((across.expect("across") - 5.0).abs() < 1e-9, "{across:?}");

@@ -1,4 +1,4 @@
-//! The lines that cells begin between, and what holds drawn marks.
+//! The initial lines between cells, and the thresholds that keep drawn marks.
 
 use rayon::prelude::*;
 
@@ -9,15 +9,15 @@ use crate::points::extent::Extent;
 use crate::points::patches::Outlines;
 use crate::synth::areas::plan::AreaPlan;
 
-/// By how much the threshold is lowered in drawn marks and raised on the lines around them, in K₀: more than any difference is.
+/// Decrease of the threshold in drawn marks and increase on the lines around them, in K₀: larger than any difference.
 const HELD: f32 = 1.0;
 /// Width of the ring around marks of the layers beneath in which no cell grows, in widths of a line.
 const CLEAR: f64 = 0.9;
-/// Distances from a drawn outline, in widths of a line, between which places are held. Nearer ones are left to the edge.
+/// Distances from a drawn outline, in widths of a line, between which the pattern is held. The edge itself is not.
 const HOLDS: [f64; 2] = [0.2, 0.8];
 
-/// Of each cell of the grid how deep it lies in a drawn outline and in which, px; negative outside, −∞ farther off than the
-/// width of a line, `gap`; empty where none is kept.
+/// By cell of the grid, the depth inside a drawn outline, px, and the index of this outline. The depth is negative outside, and −∞
+/// farther off than the width of a line, `gap`. Empty if no outline is kept.
 pub(super) fn depths_of_kept(plan: &AreaPlan, gap: f64) -> Vec<(f32, u32)> {
     if plan.kept.is_empty() {
         return Vec::new();
@@ -60,8 +60,8 @@ pub(super) fn lines_between(owned: &[u32], depths: &[(f32, u32)], plan: &AreaPla
     ways.iter().zip(&owners).map(reaction).collect()
 }
 
-/// By how much the threshold is raised at each cell, in K₀, so that drawn marks stay as they were drawn and cells keep clear of the
-/// layers beneath; empty where there are neither.
+/// Increase of the threshold at each cell, in K₀, which keeps drawn marks as drawn, and cells away from the layers beneath; empty
+/// if there are neither.
 pub(super) fn held(depths: &[(f32, u32)], plan: &AreaPlan, gap: f64) -> Vec<f32> {
     let beneath = nearest(&plan.obstacles, &plan.grid);
     if depths.is_empty() && beneath.is_none() {

@@ -1,8 +1,8 @@
-//! Plans of cells → grown cells.
+//! The growth of cells from their plan.
 //!
-//! Points are laid at the distance of the cells, and each owns the places nearest to it. Drawn marks own the places in their outlines
-//! instead. The reaction begins as 0 on lines of the wanted width between the owned places, and one pair grows from there: corners
-//! round off, and lines become evenly wide. At last the level is moved, region by region, until the areas are right.
+//! Points are laid at the distance of the cells, and each owns the places nearest to it. Drawn marks own the places in their
+//! outlines instead. The reaction begins as 0 on lines of the wanted width between the owned places. One pair grows from there:
+//! corners round off, and lines become evenly wide. Finally the threshold is moved, region by region, until the areas are right.
 
 mod lines;
 mod own_polygons;
@@ -28,20 +28,20 @@ use lines::{depths_of_kept, held, lines_between};
 use own_polygons::own_polygons;
 use owned::{TAKEN, owned};
 
-/// Time between two pictures of the growth, in 1/b: ten of them, each of which makes a pattern.
+/// Time between two pictures of the growth, in 1/b. There are ten of them, each of which costs the time of a pattern.
 const BETWEEN: f64 = 1.0;
-/// Rounds in which the level is moved.
+/// Rounds of moving the threshold.
 const ROUNDS: usize = 3;
 /// Contour ÷ √area of a cell: a hexagon has 3.72.
 const CONTOUR: f64 = 3.72;
-/// The levels between which edges are read: beyond, cells merge or die.
+/// The thresholds between which edges are read: beyond, cells merge or vanish.
 const LEVELS: [f64; 2] = [0.25, 0.85];
-/// Values this near to the level are those of edges.
+/// Values this near to the threshold are those of edges.
 const NEAR_EDGE: f32 = 0.12;
 /// The gap between cells far apart, in sizes of the pair, see [`crate::rd::pairs::polygons`].
 const STRAIGHT: f64 = 3.5;
 
-/// The level of C₊ at the edges of straight lines: the blur of a line of width w is ½ + ½ e^(−w/s) there.
+/// The threshold of C₊ at the edges of straight lines: the blur of a line of width w is ½ + ½ e^(−w/s) there.
 fn level_of_straight_lines() -> f64 {
     0.5 + 0.5 * libm::exp(-STRAIGHT)
 }
@@ -53,24 +53,24 @@ pub struct PolygonGrowth {
     form: PolygonForm,
     /// The owner of each place.
     owned: Vec<u32>,
-    /// How deep each place lies in a drawn mark, and in which.
+    /// By place, the depth inside a drawn mark and the index of this mark.
     depths: Vec<(f32, u32)>,
     growth: PairGrowth,
     /// The step at which the growth ends.
     last: u64,
-    /// The levels of the edges, by region.
+    /// The thresholds of the edges, by region.
     levels: Vec<f64>,
-    /// What has grown, with its blurred reaction and the rounds in which its levels were moved.
+    /// The grown cells, with their blurred reaction and the number of rounds in which their thresholds were moved.
     grown: Option<(GrownAreas, Field, usize)>,
     done: bool,
 }
 
-/// How a layer of cells is grown.
+/// Settings for the growth of a layer of cells.
 #[derive(Clone, Copy)]
 pub(super) struct PolygonSetting {
-    /// Seed of all that is random.
+    /// Seed of all random numbers.
     pub seed: u64,
-    /// Whether the level is moved.
+    /// Whether the threshold is moved.
     pub corrects: bool,
 }
 
@@ -142,13 +142,13 @@ impl PolygonGrowth {
         Ok(Advanced::by(cells))
     }
 
-    /// What has grown, at the current levels.
+    /// The grown cells with the current thresholds, measured.
     fn measured(&self, blurred: &Field) -> GrownAreas {
         let field = pattern(blurred, &self.plan, &self.levels, &self.depths, self.form.gap);
         during(Section::Measure, || measured(self.plan.clone(), field))
     }
 
-    /// What is being done, and the share of it that is done.
+    /// The current stage, and the finished share of it.
     #[must_use]
     pub fn progress(&self) -> (Stage, f64) {
         match &self.grown {
@@ -157,7 +157,7 @@ impl PolygonGrowth {
         }
     }
 
-    /// Cell updates between two pictures: of each a pattern is made.
+    /// Cell updates between two pictures; a pattern is made for each.
     #[must_use]
     pub fn updates_between(&self) -> u64 {
         self.growth.steps_in(BETWEEN) * self.plan.grid.cells() as u64
@@ -182,7 +182,7 @@ impl PolygonGrowth {
         })
     }
 
-    /// What has grown.
+    /// The grown areas; `None` before the end.
     #[must_use]
     pub fn complete(self) -> Option<GrownAreas> {
         let (grown, ..) = self.grown.filter(|_| self.done)?;
@@ -201,13 +201,14 @@ fn pair(plan: &AreaPlan, form: &PolygonForm) -> PairField {
     PairField { direction: vec![0.0; size.len()], size, blurs: BLURS }
 }
 
-/// The blurred reaction, 0..1: what the pattern is made of. Its level lines are smoother than those of the difference, and it rises to
-/// the middle of the cells.
+/// The blurred reaction, 0..1, from which the pattern is made. Its level lines are smoother than those of the difference, and it
+/// rises up to the middle of the cells.
 fn blurred(growth: &PairGrowth, plan: &AreaPlan) -> Field {
     Field::new(&plan.grid, growth.concentrations().swap_remove(0))
 }
 
-/// The pattern of the cells: ½ where `blurred` is at the level of its place, by region; around drawn marks it is that of the law.
+/// The pattern of the cells: ½ where `blurred` equals the threshold of its place, by region; around drawn marks the threshold is
+/// that of the law.
 fn pattern(blurred: &Field, plan: &AreaPlan, levels: &[f64], depths: &[(f32, u32)], gap: f64) -> Field {
     let layout = *plan.map.layout();
     let value = |(cell, value): (usize, &f32)| {
@@ -223,18 +224,18 @@ fn pattern(blurred: &Field, plan: &AreaPlan, levels: &[f64], depths: &[(f32, u32
     Field { values, ..blurred.clone() }
 }
 
-/// Whether a cell of the grid lies in a drawn mark or on the lines round it.
+/// Whether a cell of the grid lies in a drawn mark or on the lines around it.
 fn in_kept(depths: &[(f32, u32)], cell: usize, gap: f64) -> bool {
     depths.get(cell).is_some_and(|(depth, _)| f64::from(*depth) > -0.5 * gap)
 }
 
-/// Moves the levels so that the areas of each region come nearer to what was asked.
+/// Moves the thresholds so that the areas of each region come closer to those asked for.
 fn move_levels(levels: &mut [f64], blurred: &Field, plan: &AreaPlan, errors: &[SpotErrors]) {
     let layout = *plan.map.layout();
     let slope = slope(blurred);
     for (region, level) in levels.iter_mut().enumerate() {
         let wanted = plan.wanted(layout.center(layout.place(region)));
-        // The edge has to move by δ where contour · δ is what the area lacks.
+        // The edge has to move by δ, where contour · δ is the missing area.
         let lacks = -errors[region].area.unwrap_or(0.0) * wanted.area.sqrt() / CONTOUR;
         *level = (*level - lacks * slope).clamp(LEVELS[0], LEVELS[1]);
     }

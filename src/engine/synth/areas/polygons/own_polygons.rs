@@ -1,4 +1,4 @@
-//! Which laid cells have an area of their own: whole ones that neither closed nor merged with others.
+//! Counts laid cells that have an area of their own: whole ones that neither closed nor merged with others.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,14 +9,14 @@ use crate::synth::areas::plan::AreaPlan;
 use crate::synth::areas::plan::polygons::PolygonForm;
 use crate::synth::areas::polygons::owned::TAKEN;
 
-/// An area belongs to a cell where this share of it lies on the cell's own places.
+/// Least share of an area that lies on the places of a cell for the area to belong to it.
 const OWN: f64 = 0.9;
-/// Cells count whose places make up this share of what was to be laid: others are cut by a border, by what lies beneath or by
-/// drawn marks.
+/// Only cells whose places make up at least this share of their planned area are counted: others are cut by a border, by layers
+/// beneath or by drawn marks.
 const WHOLE: f64 = 0.5;
 
-/// How many of the laid cells have an area of their own in `field`. `owned` names the owner of each place,
-/// `is_kept` the places of drawn marks.
+/// Number of laid cells that have an area of their own in `field`. `owned` holds the owner of each place, `is_kept` tells the
+/// places of drawn marks.
 pub(super) fn own_polygons(
     plan: &AreaPlan,
     owned: &[u32],

@@ -1,4 +1,4 @@
-//! Which cell each place belongs to.
+//! Assignment of every place to a cell.
 
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
@@ -13,14 +13,14 @@ use crate::points::voronoi::owners;
 use crate::synth::areas::plan::AreaPlan;
 use crate::synth::areas::plan::polygons::{EFFORT, PolygonForm};
 
-/// By how much points are scaled after relaxation, at most: the frame beyond the border holds so many more.
+/// Largest scaling of points after relaxation: the frame beyond the border is larger by as much.
 const MOST_SCALED: f64 = 0.04;
-/// Cells of the grid in the distance of cells, where points are laid: their areas are right within a hundredth.
+/// Cells of the grid per distance of cells while points are laid: areas are then accurate to one per cent.
 const COARSE: f64 = 14.0;
 /// The owner of places that marks of the layers beneath have taken.
 pub(super) const TAKEN: u32 = u32::MAX;
 
-/// Of each cell of the grid the number of the laid point that it belongs to, or [`TAKEN`]; drawn marks own their outlines later.
+/// By cell of the grid, the number of the laid point that it belongs to, or [`TAKEN`]. Drawn marks get their outlines later.
 pub(super) fn owned(plan: &AreaPlan, form: &PolygonForm, seed: u64) -> Vec<u32> {
     let extent = Extent::from(plan.canvas());
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
@@ -61,7 +61,7 @@ pub(super) fn owned(plan: &AreaPlan, form: &PolygonForm, seed: u64) -> Vec<u32> 
         relax(&mut laid, &pinned, &metric, &extent, &coarse);
     }
     if plan.canvas().edges == Edges::Closed {
-        // A tile keeps its number of points, and so their distance. Those beyond a border have moved in or out.
+        // A tile keeps its number of points, and so their distance. Points near a closed border may have moved in or out.
         let all: Vec<[f64; 2]> = pinned.iter().chain(&laid).copied().collect();
         let factor = ratio(&all).clamp(1.0 - MOST_SCALED, 1.0 + MOST_SCALED);
         let middle = extent.size.map(|side| 0.5 * side);
@@ -69,7 +69,7 @@ pub(super) fn owned(plan: &AreaPlan, form: &PolygonForm, seed: u64) -> Vec<u32> 
             *at = [0, 1].map(|axis| middle[axis] + (at[axis] - middle[axis]) / factor);
         }
     }
-    // A drawn mark owns its outline alone: its centre keeps others away, but owns nothing.
+    // A drawn mark owns only its outline: its centre keeps other points away, but owns nothing.
     let kept = Outlines::new(plan.kept.iter().map(|(_, outline)| outline), &extent);
     let is_in_kept = |at: &[f64; 2]| kept.deepest(*at, 0.0).is_some_and(|(depth, _)| depth > 0.0);
     let clear: Vec<[f64; 2]> = laid.into_iter().filter(|at| !is_in_kept(at)).collect();
@@ -85,8 +85,8 @@ pub(super) fn owned(plan: &AreaPlan, form: &PolygonForm, seed: u64) -> Vec<u32> 
     owned
 }
 
-/// One step of Lloyd's relaxation: points move to the middles of their Voronoi cells, which makes these rounder and more alike. The `pinned`
-/// stay, and so do those whose cell the border cuts.
+/// One step of Lloyd's relaxation: points move to the centres of their Voronoi cells, which makes these rounder and more alike. The
+/// `pinned` points stay, and so do points whose cells are cut by the border.
 fn relax(
     laid: &mut [[f64; 2]],
     pinned: &[[f64; 2]],

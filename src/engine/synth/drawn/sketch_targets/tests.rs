@@ -1,4 +1,4 @@
-//! Regions and free marks ask for the same where lines are alike.
+//! Regions and free marks give equal attributes for equal lines.
 
 use super::*;
 use crate::attributes::{Attributes, Stripes};
@@ -8,7 +8,7 @@ use crate::synth::pairs::plan::PairPlan;
 
 const SIZE: [f64; 2] = [512.0; 2];
 
-/// Five lines 10 px wide, 300 px long and `apart` px apart, about the middle in this direction.
+/// Five lines 10 px wide, 300 px long and `apart` px apart, about the middle of the canvas in this direction.
 fn lines(apart: f64, angle: f64) -> Vec<Stroke> {
     let (s, c) = libm::sincos(angle.to_radians());
     let at = |along: f64, across: f64| [256.0 + along * c - across * s, 256.0 + along * s + across * c];
@@ -22,7 +22,7 @@ fn document(system: &str, strokes: Vec<Stroke>, regions: Option<[u32; 2]>) -> Do
     Document { regions, layers, ..Document::default() }
 }
 
-/// What is asked for in the middle of the canvas, of pairs in each direction.
+/// The stripes that are asked for in the middle of the canvas; for pairs, in each direction.
 fn asked(document: &Document) -> Vec<Stripes> {
     let stripes = |wanted: Attributes| match wanted {
         Attributes::Stripes(stripes) => stripes,
@@ -89,7 +89,7 @@ fn lines_of_a_region_half_as_wide_as_their_distance_leave_the_wavelength_to_the_
 }
 
 #[test]
-fn of_lines_along_curves_only_the_width_counts() {
+fn only_the_width_of_lines_along_curves_counts() {
     let mut document = document("auto", lines(33.0, 0.0), Some([1, 1]));
     for after in [After::Around, After::Net] {
         document.layers[0].after = after;

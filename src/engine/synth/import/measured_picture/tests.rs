@@ -1,4 +1,4 @@
-//! Pictures that are measured, and those that are refused.
+//! Pictures that are measured, and pictures that are refused.
 
 use super::*;
 use crate::colour::{BY_LAYER, Bend, COATS, Set, Stop};
@@ -6,7 +6,7 @@ use crate::document::{Document, Extent, Layer, Stroke};
 use crate::export::png::{self, Header, Samples};
 use std::io::Cursor;
 
-/// Measures a picture that was written in the format of the ending of `name`.
+/// Measures a picture, written in the format of the ending of `name`.
 fn measured(name: &str, picture: &DynamicImage, invert: bool) -> Result<Picture, MeasureError> {
     let mut file = Cursor::new(Vec::new());
     picture.write_to(&mut file, image::ImageFormat::from_path(name).unwrap()).unwrap();
@@ -24,13 +24,13 @@ fn measured_stream(
     measure_stream(file, Path::new(name), &framing, free).map(|measured| measured.picture)
 }
 
-/// The gray value 0..1 of a lightness in OKLab, in which edges are halfway: L³ as light, encoded as sRGB does.
+/// The gray value 0..1 of a lightness in OKLab, in which edges lie halfway: L³ as linear light, encoded by sRGB.
 fn gray(lightness: f64) -> f64 {
     let light = lightness.powi(3);
     if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 }
 }
 
-/// Ellipses of radii 9 and 6 along 30° on a lattice of 32 px, `out` → tone.
+/// Ellipses of radii 9 and 6 along 30° on a lattice of 32 px; `tone` gives the tone by the distance out from the centre.
 fn dots(tone: impl Fn(f64) -> f64) -> image::ImageBuffer<image::Luma<u16>, Vec<u16>> {
     image::ImageBuffer::from_fn(256, 256, |x, y| {
         let near = |x: u32| (f64::from(x) + 0.5).rem_euclid(32.0) - 16.0;
@@ -112,7 +112,7 @@ fn the_document_in_a_picture_says_which_of_three_tones_is_the_edge() {
     let [with, without] = [&texts[..], &[]].map(|texts| painted_width(&gradient, texts));
     assert!((with / 12.0 - 1.0).abs() < 0.01, "{with}");
     assert!((without / 12.0 - 1.0).abs() > 0.02, "{without}");
-    // Other colours than the document's: it was painted anew.
+    // Other colours than those of the document: the picture was painted again.
     let changed = painted_width(&BY_LAYER[0].gradient(), &texts);
     assert!((changed / 12.0 - 1.0).abs() < 0.02, "{changed}");
 }

@@ -4,10 +4,10 @@ use crate::synth::marks::grow::pattern::Pattern;
 use crate::synth::marks::plan::Plan;
 use crate::synth::pattern::EDGE;
 
-/// Rows that are looked at together.
+/// Rows that are tested together.
 const SEEN_AT_ONCE: usize = 64;
 
-/// What a layer is instead of a pattern where it has no marks, or nothing but marks; `None` of a pattern.
+/// The content of a layer that has no marks, or only marks; `None` for a pattern.
 pub fn blank(plan: &Plan, pattern: &Pattern) -> Option<&'static str> {
     let [nx, ny] = plan.lookup.grid.size;
     let (mut marks, mut ground) = (false, false);
@@ -18,7 +18,7 @@ pub fn blank(plan: &Plan, pattern: &Pattern) -> Option<&'static str> {
             marks |= free && value >= EDGE;
             ground |= free && value < EDGE;
         }
-        // In most patterns after the first rows.
+        // True after the first rows of most patterns.
         if marks && ground {
             return None;
         }

@@ -1,9 +1,9 @@
 //! Convergence: when a pattern has settled.
 //!
-//! The criteria ([`crate::rd::Convergence`]) were tuned on patches of 90 spots and 10 wavelengths grown to T = 200, and on
-//! canvases whose regions differ. Changes fall by a half from check to check while spots form; then they stay: spots drift
-//! along gradients and even out their distances, forks of stripes heal, ever more slowly. From there on the mean area is
-//! within 0.3 % (Turing 0.5 %, width of stripes 2 %) of its limit, and the direction within 0.5°.
+//! The criteria ([`crate::rd::Convergence`]) were tuned on patches of 90 spots and 10 wavelengths grown to T = 200, and on canvases
+//! whose regions differ. While spots form, changes halve from check to check. Then they become steady: spots drift along gradients
+//! and even out their distances, and forks of stripes heal, ever more slowly. From there on the mean area is within 0.3 % (Turing
+//! 0.5 %, width of stripes 2 %) of its limit, and the direction within 0.5°.
 
 use crate::rd::{Convergence, System};
 
@@ -11,20 +11,20 @@ use crate::rd::{Convergence, System};
 const EVERY: f64 = 2.5;
 /// Normalised time between two checks where only the errors of a coarser grid are corrected.
 const OFTEN: f64 = 1.0;
-/// The change of a pattern that still forms falls below this share from check to check; that of drift stays above.
+/// The change of a pattern that still forms falls below this share from check to check; changes by drift stay above it.
 const FALLING: f64 = 0.8;
 /// Step limit per grid. A canvas that needs more would take hours.
 const STEPS: u64 = 150_000;
-/// A change a unit of time below which any pattern has settled.
+/// A change per unit of time below which any pattern counts as settled.
 const NEGLIGIBLE: f64 = 0.0003;
 
-/// Normalised time after which marks that are moved back to their places change only by being moved.
+/// Normalised time after which marks that are moved back to their places change only by these moves.
 const HELD: f64 = 40.0;
 /// Normalised time after which a settled pattern, some marks of which were corrected, does not change any more.
 const CORRECTED: f64 = 8.0;
-/// Euler steps of a unit of time at most, where drawn spots begin near their final shapes: the last per cents of the area of large
-/// ones among small ones come from their levels. At 450 the errors of six sketches were as without a limit, in .4 to .8 of the
-/// time.
+/// Most Euler steps per unit of time where drawn spots begin near their final shapes: the last per cents of the area of large ones
+/// among small ones come from their thresholds. With 450 the errors of six sketches were those without a limit, in 0.4 to 0.8 of
+/// the time.
 pub const LONGEST: f64 = 250.0;
 
 /// Time after which stripes from segments are as wide as others; at T = 30 there are blots where segments met.
@@ -40,9 +40,9 @@ pub struct ConvergenceMonitor {
     begins: bool,
     /// Factor of the drift that counts as settled.
     slack: f64,
-    /// Normalised time before which it is not settled.
+    /// Normalised time before which it does not count as settled.
     earliest: f64,
-    /// Normalised time after which it is given up.
+    /// Normalised time after which the growth is given up.
     latest: f64,
     before: Vec<f32>,
     last: f64,
@@ -52,7 +52,7 @@ pub struct ConvergenceMonitor {
 /// The result of a check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// It still forms.
+    /// The pattern still forms.
     Forming,
     /// The pattern has settled.
     Settled,
@@ -78,16 +78,16 @@ impl ConvergenceMonitor {
         }
     }
 
-    /// This monitor, for marks among obstacles, which push them for long: lone spots in lanes between three obstacles drift by up
-    /// to 0.007 a unit of time when their areas have long settled.
+    /// This monitor, for marks among obstacles, which push them for a long time: single spots in lanes between three obstacles
+    /// drift by up to 0.007 per unit of time when their areas have settled long ago.
     #[must_use]
     pub fn among_obstacles(self) -> Self {
         Self { slack: 2.0, ..self }
     }
 
-    /// Takes account of marks that are moved back to their places. Where they are moved until the end they never rest: a pair
-    /// that pushes each other is moved by 0.006 a unit of time when all areas have long settled. There a unit of time takes
-    /// `longest` steps at most ([`LONGEST`]). It takes `pace` times the steps.
+    /// Takes account of marks that are moved back to their places. Marks that are moved until the end never rest: a pair that
+    /// pushes each other is moved by 0.006 per unit of time when all areas have settled long ago. A unit of time takes at most
+    /// `longest` steps ([`LONGEST`]). The growth takes `pace` times the steps.
     pub fn hold_marks(&mut self, longest: Option<f64>, pace: f64) {
         if let Some(longest) = longest {
             self.slack = 3.0;
@@ -131,8 +131,8 @@ impl ConvergenceMonitor {
         (unit * if begins { 1.3 * criterion.earliest } else { criterion.corrected }).min(STEPS as f64)
     }
 
-    /// Checks the marks after `steps` steps. `update` replaces those of the last check by those of now, and returns the sums of
-    /// |after − before| and of after over the cells that count.
+    /// Checks the marks after `steps` steps. `update` replaces the marks of the last check by the current ones, and returns the
+    /// sums of |after − before| and of after over the cells that count.
     pub fn check(&mut self, steps: u64, update: impl FnOnce(&mut [f32]) -> [f64; 2]) -> Verdict {
         let criterion = self.system.definition().convergence;
         let time = steps as f64 / self.unit;
@@ -157,8 +157,8 @@ impl ConvergenceMonitor {
 mod tests {
     use super::*;
 
-    /// The verdicts on a mark that changes by `change(check)` of itself from check to check, one time unit of ten steps
-    /// each, until one is not [`Verdict::Forming`]; gives it with its time.
+    /// The verdicts on a mark that changes by the share `change(check)` from check to check, one unit of time of ten steps each,
+    /// until one is not [`Verdict::Forming`]; returns that verdict with its time.
     fn watched(begins: bool, change: impl Fn(usize) -> f32) -> (Verdict, f64) {
         let mut mark = 1.0f32;
         let mut monitor = ConvergenceMonitor::new(System::MEINHARDT_SPOTS, 10.0, begins, vec![mark]);

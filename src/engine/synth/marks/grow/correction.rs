@@ -1,4 +1,4 @@
-//! Growing on from a settled pattern of which some spots are changed.
+//! Continues the growth of a settled pattern after some spots have been changed.
 
 use crate::grid::Domain;
 use crate::rd::{Growth, restart};
@@ -12,7 +12,7 @@ use crate::synth::passes::Restart;
 use crate::synth::profile::{Section, during};
 
 impl Engine {
-    /// Lets spots begin again, with the corrected parameters of the pinned ones, and goes on growing what has settled.
+    /// Restarts spots, with the corrected parameters of the pinned ones, and continues the growth of the settled pattern.
     pub fn restart(&mut self, plan: &Plan, corrections: &Corrections, request: &Restart) {
         let Restart { away, again, changed, .. } = request;
         let Some(spots) = &mut self.varied else { return };
@@ -20,7 +20,7 @@ impl Engine {
         let mut places: Vec<[f64; 2]> = away.iter().chain(again).map(at).collect();
         let to_settle: Vec<[f64; 2]> = again.iter().chain(changed).map(at).collect();
         if let Some(control) = self.position_control.as_mut().filter(|_| !again.is_empty()) {
-            // Also where they have moved to, if no other spot is there.
+            // Also at the places to which they have moved, if no other spot is there.
             places.extend(control.forget(again, &self.maps.domain));
         }
         during(Section::Parameters, || {
@@ -33,7 +33,7 @@ impl Engine {
         }
     }
 
-    /// The nearest spot beside a spot of the first `drawn` ones, and of the others; none where spots do not differ.
+    /// The spot nearest to `spot` among the first `drawn` ones, and among the others; none if spots do not differ.
     #[must_use]
     pub fn beside(&self, spot: usize, drawn: usize) -> [Option<usize>; 2] {
         let Some(spots) = &self.varied else { return [None; 2] };
@@ -41,7 +41,8 @@ impl Engine {
         [0..drawn, drawn..all].map(|among| spots.nearest_beside(spot, among, self.system, &self.maps.domain))
     }
 
-    /// Goes on growing with the spots near the places `again`, cells, as they began. Those at the places `changed` have to settle.
+    /// Continues the growth with the spots near the places `again`, cells, in their initial state. Spots at the places `changed`
+    /// have to settle.
     pub(super) fn grow_on(&mut self, again: &[[f64; 2]], changed: &[[f64; 2]]) {
         let mut concentrations = self.grid_level.growth.concentrations();
         if !again.is_empty() {
@@ -55,12 +56,12 @@ impl Engine {
         let growth =
             during(Section::Coefficients, || Growth::resumed(self.system, &self.maps, concentrations))
                 .expect("made for this system on this grid");
-        // Only what has changed has to settle.
+        // Only the changed spots have to settle.
         let rates = changed.iter().map(|at| f64::from(self.maps.at(*at).rate));
         let slowest = self.maps.parameters.iter().map(|p| f64::from(p.rate)).fold(f64::INFINITY, f64::min);
         let evenness = evenness(&self.maps);
         let pace = (slowest / rates.fold(f64::INFINITY, f64::min)).min(evenness * evenness);
-        // Not more than half of the time that the pattern took, or it would pay less than it costs.
+        // At most half of the time that the pattern took; more would cost more than it gains.
         let grown = *self.grown.get_or_insert(self.updates.div_ceil(self.maps.domain.cells() as u64));
         let most = 0.5 * grown as f64 / ConvergenceMonitor::expected(self.system, 1.0, false);
         let unit = unit(&growth, pace).min(most.max(1.0));

@@ -1,18 +1,18 @@
-//! What a growth corrects of its plan, which itself stays as it is.
+//! Corrections of a plan during its growth; the plan itself does not change.
 
 use crate::rd::Hindrance;
 use crate::synth::marks::plan::Plan;
 use crate::synth::marks::plan::lattice::NodeOffset;
 use crate::synth::marks::plan::pinned_marks::{LeftOut, PinnedMark};
 
-/// The largest corrections: of ln rate, of either part of the shape, of ln ratio.
+/// The largest corrections: of ln rate, of each component of the shape, of ln ratio.
 const MOST: NodeOffset = [1.2, 0.6, 0.6, 0.7];
 
-/// The drawn spots that a growth holds at their places, what it adds to their parameters, and those that it has left out.
+/// The drawn spots that a growth holds at their places, the corrections of their parameters, and the spots that it has left out.
 #[derive(Clone, Debug, Default)]
 pub struct Corrections {
     pinned: Vec<PinnedMark>,
-    /// What is added to the offset of each.
+    /// The correction that is added to the offset of each spot.
     added: Vec<NodeOffset>,
     left_out: Vec<LeftOut>,
 }
@@ -37,7 +37,7 @@ impl Corrections {
         &self.left_out
     }
 
-    /// By how much the parameters in which each pinned spot grows differ from those looked up for its place.
+    /// Difference between the parameters of each pinned spot and those looked up for its place.
     pub fn offsets(&self) -> impl Iterator<Item = NodeOffset> {
         let sum = |(mark, added): (&PinnedMark, &NodeOffset)| {
             [0, 1, 2, 3].map(|part: usize| mark.offset[part] + added[part])
@@ -45,8 +45,8 @@ impl Corrections {
         self.pinned.iter().zip(&self.added).map(sum)
     }
 
-    /// Spots of this area and more are no specks, px²: a quarter of what can be seen of the smallest one that was
-    /// drawn. One that has shrunk to a third of its area is to be corrected, not taken for missing.
+    /// Least area of a spot, px²; smaller ones are specks. It is a quarter of the visible area of the smallest drawn spot. A spot
+    /// that has shrunk to a third of its area is to be corrected, not taken for missing.
     #[must_use]
     pub fn least_area(&self) -> f64 {
         let areas = self.pinned.iter().map(|mark| mark.visible.area);

@@ -36,20 +36,20 @@ pub struct Engine {
     /// Parameters on the planned grid.
     pub(super) maps: ParameterField,
     pub(super) start: InitialConditions,
-    /// Brings pinned marks back to their places.
+    /// Moves pinned marks back to their places.
     pub(super) position_control: Option<PositionControl>,
     /// Spots with parameters of their own.
     pub(super) varied: Option<VariedSpots>,
-    /// From the coarsest to the planned one.
+    /// The grids from the coarsest to the planned one.
     pub(super) grids: Vec<[usize; 2]>,
     pub(super) grid_level: GridLevel,
     /// Cell updates that were expected on the coarser grids.
     pub(super) expected_before: f64,
     /// Cell updates done.
     pub(super) updates: u64,
-    /// Steps until the first correction of pinned spots.
+    /// Steps taken before the first correction of pinned spots.
     pub(super) grown: Option<u64>,
-    /// The last progress.
+    /// The most recent progress.
     pub(super) progress: f64,
     /// Whether every grid has settled so far.
     pub(super) settled: bool,
@@ -97,7 +97,7 @@ impl Engine {
         Self::starting_from(system, maps, start, largest)
     }
 
-    /// Marks of up to `largest` cells may be formed on grids that are too coarse for smaller ones.
+    /// Growth from `start`. Marks of up to `largest` cells may form on grids that are too coarse for smaller ones.
     fn starting_from(system: System, maps: ParameterField, start: InitialConditions, largest: f64) -> Self {
         let grids = grid_levels::grids(system, &maps, largest);
         let grid_level = start_grid_level(system, &maps, &start, &grids, 0, None);
@@ -118,8 +118,7 @@ impl Engine {
         }
     }
 
-    /// The spots that have grown together with another, of the `grown` ones; the first `pinned` ones were drawn. None where their
-    /// places were given.
+    /// The spots of `grown` that have merged with another one; the first `pinned` ones were drawn. None if the places were given.
     #[must_use]
     pub fn merged(&self, plan: &Plan, pinned: usize, grown: &[Spot]) -> MergedSpots {
         let Some(spots) = self.varied.as_ref().filter(|_| plan.places().is_none()) else {
@@ -177,7 +176,7 @@ impl Engine {
         if verdict == Verdict::Forming {
             return;
         }
-        // What is corrected afterwards has settled before.
+        // Spots that are corrected have settled before.
         self.settled &= verdict == Verdict::Settled || self.grown.is_some();
         if current.index + 1 == self.grids.len() {
             self.done = true;
@@ -264,7 +263,7 @@ impl Engine {
         left + finer * self.grid_level.expected / here
     }
 
-    /// The share that is done, 0..1; never falls.
+    /// The share of the work that is done, 0..1; never decreases.
     #[must_use]
     pub fn progress(&self) -> f64 {
         self.progress
@@ -284,7 +283,7 @@ impl Engine {
             / (self.expected_before + self.grid_level.expected + ahead)
     }
 
-    /// Whether it has settled: false while it grows, and where it was given up.
+    /// Whether it has settled: false while it grows, and if it was given up.
     #[must_use]
     pub fn settled(&self) -> bool {
         self.done && self.settled
@@ -296,13 +295,13 @@ impl Engine {
         !self.done
     }
 
-    /// The current grid (1 = the coarsest), of how many.
+    /// Number of the current grid (1 = the coarsest), and number of grids.
     #[must_use]
     pub fn grid_level(&self) -> [usize; 2] {
         [self.grid_level.index + 1, self.grids.len()]
     }
 
-    /// Steps taken, as many as the same work is on the planned grid: cell updates ÷ its cells.
+    /// Steps taken, in steps of the planned grid: cell updates ÷ its cells.
     #[must_use]
     pub fn steps(&self) -> u64 {
         self.updates.div_ceil(self.maps.domain.cells() as u64)
@@ -332,7 +331,7 @@ impl Engine {
         self.grid_level.growth.concentrations()
     }
 
-    /// The pattern as it is now, at `width` × `height` px. `plan` is that of the engine.
+    /// The current pattern, at `width` × `height` px. `plan` is that of the engine.
     #[must_use]
     pub fn pattern(&self, plan: &Plan, width: usize, height: usize) -> Field {
         Pattern::new(&plan.lookup, &plan.levelled(self.marks())).field(width, height)

@@ -5,7 +5,7 @@ use crate::grid::{Edges, Grid};
 use crate::rd::Growth;
 use crate::rd::Parameters;
 
-/// Spots (stripes) whose area (squared width) grows `times` from left to right.
+/// Spots (stripes) whose area (squared width) increases by the factor `times` from left to right.
 fn graded(system: System, [nx, ny]: [usize; 2], edges: Edges, times: f32) -> ParameterField {
     let rates = [
         (System::TURING_SPOTS, 0.12),
@@ -57,7 +57,7 @@ fn reading_the_state_changes_no_bit() {
         while engine.advance(200_000) {
             let marks = engine.marks();
             assert!(marks.values.iter().all(|value| value.is_finite()));
-            // Of whatever grid, it covers the canvas.
+            // On any grid the field covers the canvas.
             assert!((marks.extent()[0] - 150.0).abs() < 1e-9 && (marks.extent()[1] - 90.0).abs() < 1e-9);
         }
         engine
@@ -113,7 +113,7 @@ fn spots_of_thirty_times_the_area_settle_in_a_few_times_the_steps_of_the_smalles
     assert!(grown.settled() && plain > 25 * grown.steps(), "{} of {plain}", grown.steps());
     let marks = grown.marks();
     assert_eq!([marks.width, marks.height], [300, 150]);
-    // Both ends have grown: peaks stand everywhere.
+    // Peaks are everywhere: both ends have grown.
     for columns in [0..75, 225..300] {
         let peak = |x: usize| (0..150).map(|y| marks.values[y * 300 + x]).fold(0.0, f32::max);
         let highest = columns.clone().map(peak).fold(0.0, f32::max);

@@ -29,20 +29,20 @@ pub(super) struct GridLevel {
 }
 
 impl GridLevel {
-    /// Decides to move pinned marks next after so much normalised time.
+    /// Schedules the next move of pinned marks after so much normalised time.
     pub fn plan_correction(&mut self, after: f64) {
         let steps = (after * self.monitor.unit()).ceil().max(1.0);
         self.next_correction = Some(self.growth.steps() + steps as u64);
     }
 }
 
-/// Steps of a unit of normalised time, `pace` times those where the reactions are slowest.
+/// Steps of a unit of normalised time, `pace` times those in the cells where the reactions are slowest.
 pub(super) fn unit(growth: &Growth, pace: f64) -> f64 {
     pace * growth.steps_in(1_000.0) as f64 / 1_000.0
 }
 
-/// √(slowest ÷ mean rate): where sizes differ much, most of the marks settle long before the slowest does, which begins near
-/// its final shape.
+/// √(slowest ÷ mean rate): where sizes differ much, most marks settle long before the slowest one, which begins near its final
+/// shape.
 pub(super) fn evenness(maps: &ParameterField) -> f64 {
     let rates = || maps.parameters.iter().map(|p| f64::from(p.rate));
     let slowest = rates().fold(f64::INFINITY, f64::min);
@@ -53,7 +53,7 @@ pub(super) fn evenness(maps: &ParameterField) -> f64 {
     exp(-0.5 * mean)
 }
 
-/// Starts growth on grid `index`: of what was `formed` on another grid, and of marks that start here.
+/// Starts the growth on grid `index`, from a pattern that was `formed` on another grid, and from marks that start here.
 pub(super) fn start_grid_level(
     system: System,
     maps: &ParameterField,

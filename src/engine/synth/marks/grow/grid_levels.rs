@@ -1,12 +1,12 @@
 //! Grid levels: the coarse grids under the planned one.
 //!
-//! The steps that a pattern needs to settle grow with the area of its spots in cells. So it is formed on the coarsest grid
-//! that resolves its marks, and then prolongated to finer grids, where only the errors of the coarse one are corrected.
-//! Where marks differ in size, the large ones are formed on grids that are too coarse for the small ones; these start on
-//! the first grid that resolves them.
+//! The number of steps until a pattern has settled increases with the area of its spots in cells. So it is formed on the coarsest
+//! grid that resolves its marks, and then prolongated to finer grids, where only the errors of the coarse one are corrected. Where
+//! marks differ in size, the large ones are formed on grids that are too coarse for the small ones; these start on the first grid
+//! that resolves them.
 //!
-//! The cells that marks need ([`Resolution`]) were tuned on patches of 86 spots and 10 wavelengths, against plain Euler
-//! on 48 cells a spot and 8 a stripe to T ≥ 120: on coarser grids, correcting area, aspect and angle takes longer than the
+//! The numbers of cells that marks need ([`Resolution`]) were tuned on patches of 86 spots and 10 wavelengths, against plain Euler
+//! steps with 48 cells a spot and 8 a stripe to T ≥ 120. On coarser grids, correcting area, aspect and angle takes longer than the
 //! coarse grid saves.
 
 use multiversion::multiversion;
@@ -18,20 +18,20 @@ use crate::synth::marks::plan::mark_cells::resolving_cells;
 
 /// Cells of the smallest marks on the coarsest grid ÷ `enough`: a margin for the error of the area laws.
 const MARGIN: f64 = 1.09;
-/// A grid that is less coarse than this along a side does not save steps.
+/// Least ratio of the sides of cells for a coarser grid to save steps.
 const WORTH: f64 = 1.3;
-/// How much coarser the next grid is along a side.
+/// Ratio of the sides of cells from one grid to the next.
 const NEXT: f64 = 2.0;
-/// Cells that a coarse grid has at least along either side.
+/// Least number of cells of a coarse grid along either side.
 pub const LEAST_SIDE: f64 = 12.0;
 /// Marks formed on a coarser grid are corrected unless they had this many times `enough` cells there.
 const EXACT: f64 = 8.0;
 
-/// Grids from the coarsest to that of `maps`: none that would hold only marks of more than `most` cells.
+/// Grids from the coarsest to that of `maps`, without grids that would hold only marks of more than `most` cells.
 #[must_use]
 pub fn grids(system: System, maps: &ParameterField, most: f64) -> Vec<[usize; 2]> {
     if maps.curves.is_some() {
-        // A coarser grid cannot resolve on which side of a curve a cell lies.
+        // A coarser grid cannot show on which side of a curve a cell lies.
         return vec![maps.domain.size];
     }
     let enough = system.definition().resolution.enough * MARGIN;
@@ -57,18 +57,18 @@ pub fn grids(system: System, maps: &ParameterField, most: f64) -> Vec<[usize; 2]
 /// The work on one grid.
 #[derive(Clone, Debug)]
 pub struct Work {
-    /// By cell: the share that is taken from the coarser grid; empty where all is, and on the coarsest.
+    /// By cell: the share that is taken from the coarser grid; empty if everything is, and on the coarsest.
     pub taken: Vec<f32>,
-    /// By cell: whether something still forms or is corrected here. Cells of finished marks, and of marks that are too
-    /// small here, do not count for convergence.
+    /// By cell: whether marks still form or are corrected there. Cells of finished marks, and of marks that are too small on this
+    /// grid, do not count for convergence.
     pub counts: Vec<bool>,
     /// Whether marks start on this grid.
     pub begins: bool,
-    /// Normalised time is counted where the reactions are this slow, ÷ the slowest rate on the grid.
+    /// Time scale: normalised time is counted with a reaction rate of this factor times the slowest one on the grid.
     pub pace: f64,
 }
 
-/// The parameters on `grid`, larger where marks are too small for it; and whether a cell is such a place.
+/// The parameters on `grid`, with larger marks where they are too small for it; and by cell, whether marks are too small there.
 #[must_use]
 pub fn coarse(system: System, maps: &ParameterField, grid: [usize; 2]) -> (ParameterField, Vec<bool>) {
     let least = system.definition().resolution.least;
@@ -138,7 +138,7 @@ pub fn work(system: System, maps: &ParameterField, lost: &[bool], coarser: Optio
     work
 }
 
-/// Cells of a part that one thread looks at.
+/// Cells of a part that one thread works on.
 const PART: usize = 1 << 14;
 /// Cells that are computed side by side. Not tuned.
 const TOGETHER: usize = 64;
@@ -149,22 +149,23 @@ struct Part {
     /// Shares of cells that are taken, see [`Work::taken`].
     taken: Vec<f32>,
     begins: bool,
-    /// If marks start on the grid.
+    /// The cells that count if marks start on the grid.
     forming: Counted,
-    /// If none do. The coarser the marks were, the more there is to correct, and the faster it goes.
+    /// The cells that count if no marks start on it. The coarser the marks were, the more has to be corrected, and the faster it
+    /// goes.
     corrected: Counted,
 }
 
-/// What counts for convergence.
+/// Cells that count for convergence.
 #[derive(Default)]
 struct Counted {
     counts: Vec<bool>,
-    /// How much longer this part takes, see [`Work::pace`].
+    /// The time scale of this part, see [`Work::pace`].
     pace: f64,
 }
 
 impl Part {
-    /// Adds the shares that are taken of cells, of which there are so many `before`.
+    /// Adds the shares of cells that are taken from the coarser grid, after `before` other cells.
     fn take(&mut self, before: usize, shares: &[f32]) {
         if !self.taken.is_empty() || shares.iter().any(|share| *share != 1.0) {
             self.taken.resize(before, 1.0);
@@ -182,7 +183,7 @@ impl Part {
     }
 }
 
-/// What is the same for all cells.
+/// Constants for all cells.
 struct Limits {
     /// Cells of marks that a grid just does not resolve.
     least: f64,
@@ -194,17 +195,17 @@ struct Limits {
     slowest: f32,
 }
 
-/// What cells need.
+/// Requirements of cells.
 struct Needs {
     /// The share that is taken from the coarser grid.
     taken: [f32; TOGETHER],
-    /// The time that the reactions take, in times of the slowest.
+    /// The time that the reactions take, relative to the slowest.
     times: [f64; TOGETHER],
     /// The cells that marks need ÷ those that they had on the coarser grid.
     lack: [f64; TOGETHER],
 }
 
-/// What marks of so many `cells` with these reaction `rates` (1 ÷ cell²) need.
+/// The requirements of marks of this number of `cells` with these reaction `rates` (1 ÷ cell²).
 #[multiversion(targets("x86_64+avx2"))]
 fn side_by_side(cells: &[f64; TOGETHER], rates: &[f32; TOGETHER], limits: &Limits) -> Needs {
     let Limits { least, enough, .. } = *limits;

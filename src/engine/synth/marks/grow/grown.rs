@@ -14,36 +14,36 @@ use crate::synth::passes::Trace;
 /// Grown spots or stripes.
 #[derive(Clone)]
 pub struct GrownMarks {
-    /// How it was planned.
+    /// The plan from which they grew.
     pub plan: Arc<Plan>,
-    /// What was corrected of that while it grew.
+    /// The corrections of the plan during the growth.
     pub corrections: Corrections,
     /// Steps taken.
     pub steps: u64,
     /// Whether the pattern settled within its time.
     pub settled: bool,
-    /// Factors of the looked-up levels, by region.
+    /// Factors of the looked-up thresholds, by region.
     pub correction: Vec<f64>,
     /// Further factors of single spots, see [`Pattern::own`].
     pub own_levels: Vec<f64>,
-    /// What was measured, by region.
+    /// The measurements, by region.
     pub measured: Measured,
-    /// Places of marks that have grown by half, px.
+    /// Places of marks that are only half grown, px.
     pub half_grown: Vec<[f64; 2]>,
     /// The concentration that shows the marks as a share of the local peak, on the grid.
     pub marks: Field,
-    /// The concentrations of each chemical on the grid, where the [`Options`](crate::synth::Options) asked for them.
+    /// The concentrations of each chemical on the grid, if the [`Options`](crate::synth::Options) asked for them.
     pub concentrations: Vec<Vec<f32>>,
-    /// What the passes that corrected it saw, changed and cost.
+    /// Observations, changes and cost of each correcting pass.
     pub trace: Trace,
-    /// How its edges were roughened, where that was asked for.
+    /// The roughened edges, if they were asked for.
     pub ragged: Option<Arc<Ragged>>,
-    /// The pattern of the stripes beneath that its own pass under, if they cross any.
+    /// The pattern of the stripes beneath under which its own stripes pass, if they cross any.
     pub crossed: Option<Arc<Field>>,
 }
 
 impl GrownMarks {
-    /// The pattern at any size, without what passes under stripes that it crosses.
+    /// The pattern at any size, without the parts that pass under stripes that it crosses.
     #[must_use]
     pub fn pattern(&self) -> Pattern<'_> {
         let mut pattern = self.whole_pattern();
@@ -51,7 +51,7 @@ impl GrownMarks {
         pattern
     }
 
-    /// The pattern at any size, with what passes under stripes that it crosses.
+    /// The pattern at any size, including the parts that pass under stripes that it crosses.
     #[must_use]
     pub fn whole_pattern(&self) -> Pattern<'_> {
         let mut pattern = Pattern::new(&self.plan.lookup, &self.marks);

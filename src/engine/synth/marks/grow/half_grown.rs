@@ -1,4 +1,4 @@
-//! The marks of a layer that have grown by half, as `measure` finds them.
+//! The marks of a layer that are only half grown, as `measure` finds them.
 
 use crate::attributes::{Attributes, Polarity};
 use crate::measure::{FadedAxis, Spot, faded_axes, half_grown_spots};
@@ -8,11 +8,11 @@ use crate::synth::marks::grow::pinned_correction::matches;
 use crate::synth::marks::plan::Plan;
 use crate::synth::marks::plan::pinned_marks::PinnedMark;
 
-/// Spots that vary are too small where they have less than half of the area of one that is so many standard deviations smaller than the
-/// mean: one of 160 is smaller than that by chance.
+/// A spot of a layer with spread is too small if it has less than half the area of a spot that is this number of standard deviations
+/// smaller than the mean: one spot in 160 is smaller than that by chance.
 const DEVIATIONS: f64 = 2.5;
 
-/// What has grown by half.
+/// Marks that are only half grown.
 #[derive(Clone, Debug, Default)]
 pub struct HalfGrown {
     /// Pieces of the lines that grow: of the stripes, or of the gaps between them.
@@ -22,7 +22,7 @@ pub struct HalfGrown {
 }
 
 impl HalfGrown {
-    /// The marks of `plan` that have grown by half; the spots `pinned` were drawn.
+    /// The half-grown marks of `plan`; the spots `pinned` were drawn.
     #[must_use]
     pub fn new(plan: &Plan, pinned: &[PinnedMark], pattern: &Pattern, measured: &Measured) -> Self {
         match measured {
@@ -45,7 +45,7 @@ impl HalfGrown {
 }
 
 fn lines(plan: &Plan, pattern: &Pattern) -> Vec<FadedAxis> {
-    // Rings and webs may be broken on purpose, and taper where they are.
+    // Rings and webs may be broken on purpose, and their width decreases towards the breaks.
     if plan.curves().is_some() {
         return Vec::new();
     }
@@ -57,7 +57,7 @@ fn lines(plan: &Plan, pattern: &Pattern) -> Vec<FadedAxis> {
     faded_axes(&field, &|at| line_width(plan, at))
 }
 
-/// Width of the lines that grow at a place; `None` beside the marks beneath, where lines end.
+/// Width of the lines that grow at a place; `None` near the marks beneath, where lines end.
 fn line_width(plan: &Plan, at: [f64; 2]) -> Option<f64> {
     let width = plan.lines_at(at)?.width;
     let around = [[0.0, 0.0], [width, 0.0], [-width, 0.0], [0.0, width], [0.0, -width]];
@@ -68,7 +68,7 @@ fn line_width(plan: &Plan, at: [f64; 2]) -> Option<f64> {
 fn spots(plan: &Plan, pinned: &[PinnedMark], marks: &[Spot]) -> Vec<[f64; 2]> {
     let layout = plan.lookup.map.layout();
     let own = matches(pinned, layout, marks);
-    // A drawn spot is to be as large as it was drawn.
+    // A drawn spot is to have the size that was drawn.
     let drawn = |at: [f64; 2]| {
         let index = own.iter().position(|spot| spot.is_some_and(|spot| marks[spot].ellipse.center == at))?;
         Some(pinned[index].visible.area)

@@ -1,4 +1,4 @@
-//! The growth of a layer of spots or stripes, from what was looked up to what has grown.
+//! The growth of a layer of spots or stripes, from the lookup to the grown layer.
 //!
 //! ```text
 //!  probe ─▶ lay out ─▶ the passes: grow, correct, …
@@ -28,7 +28,7 @@ use crate::synth::watch::Stage;
 pub struct MarksGrowth<'a> {
     setting: Setting<'a>,
     options: LayerOptions,
-    /// The pattern of the stripes beneath that its own pass under, if they cross any.
+    /// The pattern of the stripes beneath under which its own stripes pass, if they cross any.
     crossed: Option<Arc<Field>>,
     /// Cells that marks beneath have taken; empty = none.
     obstacles: Vec<bool>,
@@ -37,13 +37,13 @@ pub struct MarksGrowth<'a> {
     state: State<'a>,
 }
 
-/// What is being done.
+/// The current part of the work.
 enum State<'a> {
-    /// Patches grow, to correct what was looked up.
+    /// Probe patches grow, to correct the lookup.
     Probe(Box<Lookup>, Probes),
     /// Places of marks are found.
     LayOut(Box<Corrected>),
-    /// It grows and is corrected.
+    /// The layer grows and is corrected.
     Correct(Box<(MarksLayer<'a>, Passes)>),
     /// The layer has grown.
     Grown(Box<GrownMarks>),
@@ -52,7 +52,7 @@ enum State<'a> {
 }
 
 impl<'a> MarksGrowth<'a> {
-    /// Begins to grow what was looked up, above the layers `beneath`.
+    /// Begins the growth of a lookup, above the layers `beneath`.
     ///
     /// # Errors
     /// A training set cannot be read.
@@ -126,7 +126,7 @@ impl<'a> MarksGrowth<'a> {
         Ok(Advanced::by(cells))
     }
 
-    /// What is being done, and the share of it that is done.
+    /// The current stage of the work, and the share of it that is done.
     #[must_use]
     pub fn progress(&self) -> (Stage, f64) {
         match &self.state {
@@ -150,7 +150,7 @@ impl<'a> MarksGrowth<'a> {
         }
     }
 
-    /// The layer as it is now; `None` while it does not grow.
+    /// The current state of the layer; `None` while it does not grow.
     #[must_use]
     pub fn seen(&self) -> Option<Seen<'_>> {
         let State::Correct(correct) = &self.state else { return None };
@@ -167,13 +167,13 @@ impl<'a> MarksGrowth<'a> {
         })
     }
 
-    /// The drawn spots that are left out of what grows.
+    /// The drawn spots that are left out of the growth.
     #[must_use]
     pub fn left_out(&self) -> &[LeftOut] {
         if let State::Correct(correct) = &self.state { correct.0.corrections.left_out() } else { &[] }
     }
 
-    /// What has grown.
+    /// The grown marks; `None` before the end.
     #[must_use]
     pub fn complete(self) -> Option<GrownMarks> {
         let State::Grown(layer) = self.state else { return None };
@@ -181,7 +181,7 @@ impl<'a> MarksGrowth<'a> {
     }
 }
 
-/// What is done first: probes, where these are asked for and may help.
+/// The first part of the work: probes, if they are asked for and may help.
 fn first_state<'a>(lookup: Lookup, setting: &Setting) -> Result<State<'a>, LayerError> {
     let probes = setting.corrects && !setting.without.has(Pass::Probes);
     if probes && lookup.seeding == Seeding::Noise && !is_corrected_spot_by_spot(&lookup) {
@@ -193,8 +193,8 @@ fn first_state<'a>(lookup: Lookup, setting: &Setting) -> Result<State<'a>, Layer
     Ok(State::LayOut(Box::new(lookup.uncorrected())))
 }
 
-/// Whether wanted attributes differ from place to place, and drawn spots are measured and corrected one by one, or maps vary them: a probe of
-/// the mean would tell little, and can cost more than the canvas.
+/// Whether wanted attributes differ from place to place and drawn spots are measured and corrected one by one, or maps vary them. A
+/// probe of the mean would then tell little, and can cost more than the canvas.
 fn is_corrected_spot_by_spot(lookup: &Lookup) -> bool {
     let has_drawn_spots = matches!(&lookup.start, Start::Free { spots, .. } if !spots.is_empty());
     lookup.map.is_free() && has_drawn_spots || lookup.map.is_modulated()

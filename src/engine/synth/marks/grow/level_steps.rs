@@ -1,12 +1,13 @@
-//! Steps of the levels of all regions together: levels are interpolated between regions, so that the level of one also changes the
-//! sizes in those around it.
+//! Changes of the thresholds of all regions together. Thresholds are interpolated between regions, so that the threshold of one
+//! region also changes the sizes in the regions around it.
 
 use crate::attributes::regions::RegionGrid;
 
-/// Richardson iterations: neighbours that go against each other step three times what is wanted at most.
+/// Richardson iterations: regions with neighbours of the opposite sign step at most three times the wanted change.
 const ITERATIONS: usize = 4;
 
-/// Steps (ln) of the levels by region of `layout` whose means within each region are nearly those `wanted`; 0 where nothing is wanted.
+/// Changes (ln) of the thresholds, by region of `layout`, whose means within each region are nearly the `wanted` ones; 0 where
+/// nothing is wanted.
 #[must_use]
 pub fn level_steps(layout: &RegionGrid, wanted: &[Option<f64>]) -> Vec<f64> {
     let mut steps: Vec<f64> = wanted.iter().map(|wanted| wanted.unwrap_or(0.0)).collect();
@@ -19,7 +20,7 @@ pub fn level_steps(layout: &RegionGrid, wanted: &[Option<f64>]) -> Vec<f64> {
     steps
 }
 
-/// The means within each region of `values` that are interpolated between regions. In a quarter of a region the interpolation is
+/// The means of `values` within each region after interpolation between regions. In a quarter of a region the interpolation is
 /// bilinear, and its mean is its value at the centre.
 #[must_use]
 pub fn within_regions(layout: &RegionGrid, values: &[f64]) -> Vec<f64> {

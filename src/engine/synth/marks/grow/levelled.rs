@@ -1,7 +1,7 @@
-//! The pattern of a layer that has settled, at thresholds that are moved until areas (widths) are those that were asked for.
+//! The pattern of a settled layer, whose thresholds are moved until areas (widths) are those asked for.
 //!
-//! Size, shape and spacing are in the concentrations; the last per cents of area come from the threshold of the edge: one a region,
-//! interpolated between regions (`facts.md` K).
+//! Size, shape and spacing follow from the concentrations. The last per cents of the area come from the threshold of the edge: one
+//! in each region, interpolated between regions (`facts.md` K).
 
 use std::sync::Arc;
 
@@ -33,8 +33,8 @@ pub struct Levelled {
 }
 
 impl Levelled {
-    /// Measures `marks`, the concentration as a share of the local peak, for the first time: with these `factors` of the thresholds by
-    /// region, where they are known. Spots below `least_area`, px², are specks.
+    /// Measures `marks`, the concentration as a share of the local peak, for the first time: with these `factors` of the thresholds
+    /// by region, if they are known. Spots smaller than `least_area`, px², are specks.
     #[must_use]
     pub fn new(plan: &Arc<Plan>, marks: &Field, factors: Option<Vec<f64>>, least_area: f64) -> Self {
         let canvas = plan.lookup.map.layout().size.map(|side| side as usize);
@@ -49,13 +49,13 @@ impl Levelled {
         Self { plan: Arc::clone(plan), size, levels, concentration, field, ruler, errors, found }
     }
 
-    /// The px that are measured.
+    /// The number of px that are measured.
     #[must_use]
     pub fn px(&self) -> usize {
         self.size[0] * self.size[1]
     }
 
-    /// The spots as they were measured last; none of stripes.
+    /// The spots of the last measurement; none for stripes.
     #[must_use]
     pub fn spots(&self) -> &[Spot] {
         if let Found::All(measured) = &self.found { measured.spots() } else { &[] }
@@ -68,7 +68,7 @@ impl Levelled {
         self.found = Found::All(self.ruler.measured(&self.plan, &self.field));
     }
 
-    /// The thresholds, and all that is measured with them.
+    /// The thresholds, and all measurements with them.
     #[must_use]
     pub fn complete(self) -> (Levels, Measured) {
         let measured = self.found.of(&self.plan, &self.field);
@@ -113,7 +113,7 @@ impl Thresholds for Levelled {
     }
 }
 
-/// d ln size / d ln level, by region, before it is known better. A higher level makes lines thinner, and stripes in the gaps
+/// d ln size / d ln threshold, by region, before it is measured. A higher threshold makes lines thinner, and stripes in the gaps
 /// between lines wider by as much.
 fn level_slopes(plan: &Plan) -> Vec<f64> {
     let (polarity, slope) = (plan.lookup.polarity, plan.lookup.system.definition().level_slope);
@@ -126,28 +126,28 @@ fn level_slopes(plan: &Plan) -> Vec<f64> {
     plan.lookup.wanted().iter().map(of_region).collect()
 }
 
-/// What is measured while levels are corrected.
+/// The kind of measurement while thresholds are corrected.
 enum Ruler {
     /// All attributes of spots.
     Spots {
-        /// Nodes a cell each way.
+        /// Nodes per cell along each side.
         nodes: usize,
-        /// Smaller ones are specks, px².
+        /// Least area of a spot, px²; smaller ones are specks.
         least_area: f64,
     },
-    /// Only widths of stripes, compared to these by region: directions take longer, and hardly change.
+    /// Only widths of stripes, compared with these by region: measuring directions takes longer, and they hardly change.
     Stripes(Vec<f64>),
 }
 
-/// What was measured while levels were corrected.
+/// Measurements while thresholds are corrected.
 enum Found {
     All(Measured),
-    /// Of stripes, with the rims that [`Plan::by_region`] leaves out.
+    /// Tallies of stripes, with the rims that [`Plan::by_region`] leaves out.
     Tallies(Vec<Tally>),
 }
 
 impl Found {
-    /// All that is measured of `pattern`, of which this was found.
+    /// All measurements of `pattern`, completed from these.
     fn of(self, plan: &Plan, pattern: &Field) -> Measured {
         match self {
             Self::All(measured) => measured,
@@ -159,7 +159,7 @@ impl Found {
 }
 
 impl Ruler {
-    /// For patterns such as this one.
+    /// The measurement that suits `pattern`.
     fn new(plan: &Plan, least_area: f64, pattern: &Field) -> Self {
         if !plan.lookup.system.is_striped() {
             return Self::Spots { nodes: measure::nodes_a_cell(pattern, 0.5), least_area };
@@ -181,7 +181,7 @@ impl Ruler {
         Self::Stripes((0..layout.len()).map(width).collect())
     }
 
-    /// All that is measured of a pattern.
+    /// All measurements of a pattern.
     fn measured(&self, plan: &Plan, pattern: &Field) -> Measured {
         match self {
             Self::Spots { nodes, least_area } => {
@@ -191,7 +191,7 @@ impl Ruler {
         }
     }
 
-    /// got ÷ wanted − 1 of area or width by region, and what was measured.
+    /// got ÷ wanted − 1 of area or width by region, and the measurements.
     fn errors(&self, plan: &Plan, pattern: &Field) -> (Vec<Option<f64>>, Found) {
         match self {
             Self::Spots { .. } => {
@@ -221,6 +221,6 @@ impl Ruler {
     }
 }
 
-/// Points a region along each side at which the wanted width is sampled: an even number, so that the mean of a function
-/// that is bilinear about the centre is exact.
+/// Points per region along each side at which the wanted width is sampled: an even number, so that the mean of a function that is
+/// bilinear about the centre is exact.
 const POINTS: usize = 16;

@@ -1,5 +1,5 @@
-//! Where few of many spots have grown together, only the cells about them grow on, and only these are measured again. The rest of the
-//! pattern has settled, and would not change.
+//! Separation of merged spots in parts of the canvas. If only a few of many spots have merged, only the cells around them grow on,
+//! and only these are measured again. The rest of the pattern has settled, and would not change.
 //!
 //! ```text
 //!   ┌─────────────┐  cutout
@@ -26,11 +26,11 @@ use crate::synth::passes::MergedSpots;
 use crate::synth::pattern::EDGE;
 use crate::synth::profile::{Section, during};
 
-/// Cells within so many spacings of a spot that changes grow on: as far as the second ring of neighbours. Not tuned.
+/// Distance from a changed spot, in spacings, within which cells grow on: up to the second ring of neighbours. Not tuned.
 const FREE: f64 = 2.0;
-/// The width of the rim, spacings: more than a spot is long.
+/// Width of the rim, in spacings: more than the length of a spot.
 const RIM: f64 = 1.5;
-/// The largest share of the cells in cutouts; beyond it the whole pattern grows on.
+/// Largest share of the cells in cutouts; above it the whole pattern grows on.
 const MOST: f64 = 0.25;
 
 /// A part of the canvas that grows on.
@@ -48,12 +48,12 @@ struct GrowingPart {
 }
 
 impl Engine {
-    /// The parts to grow on so that `merged` spots are separated; `None` where that is the whole pattern, or none.
+    /// The parts to grow on so that `merged` spots are separated; `None` if that is the whole pattern, or no part.
     #[must_use]
     pub fn parts_about(&self, merged: &MergedSpots) -> Option<Vec<Part>> {
-        // Pinned spots are moved and corrected on the whole canvas.
+        // Pinned spots are moved and corrected on the whole canvas only.
         let spots = self.varied.as_ref().filter(|_| self.position_control.is_none())?;
-        // Their spacing in the direction in which it is longest.
+        // The spacing in the direction in which it is longest.
         let with_spacing = |index: &usize| {
             let at = spots.places[*index];
             let p = self.maps.at(at);
@@ -75,7 +75,7 @@ impl Engine {
         Some(cutouts.into_iter().map(part).collect())
     }
 
-    /// Takes the surplus spots of those `merged` away; the `parts` grow on with the kept ones as they began.
+    /// Removes the surplus spots of `merged`; the `parts` grow on from the initial state of the spots that are kept.
     #[must_use]
     pub fn begin_separation(&mut self, parts: Vec<Part>, plan: &Plan, merged: &MergedSpots) -> Separation {
         let Some(spots) = &mut self.varied else { return Separation { parts, growing: Vec::new() } };
@@ -91,7 +91,7 @@ impl Engine {
         Separation { parts, growing }
     }
 
-    /// Takes the parts of a separation back. Returns these.
+    /// Puts the grown parts of a separation back into the pattern. Returns these parts.
     pub fn end_separation(&mut self, separation: Separation) -> Vec<Part> {
         let Separation { parts, growing } = separation;
         for (part, grown) in parts.iter().zip(&growing) {
@@ -101,7 +101,7 @@ impl Engine {
         parts
     }
 
-    /// A part in which those of the spots at `places`, cells of the whole grid, begin again that are at `again`.
+    /// A part with spots at `places`, cells of the whole grid, of which those `again` are restarted.
     fn begin(&self, part: &Part, places: &[[f64; 2]], again: &[[f64; 2]]) -> GrowingPart {
         let Part { cutout, rim } = part;
         let maps = self.maps.cut(cutout);
@@ -131,7 +131,7 @@ pub struct Separation {
 }
 
 impl Separation {
-    /// Grows all parts on until their next check of convergence. Returns how many cells were updated; `None` = all have settled.
+    /// Grows all parts on until their next check of convergence. Returns the number of cell updates; `None` = all have settled.
     pub fn advance(&mut self) -> Option<u64> {
         if self.growing.iter().all(|part| part.settled) {
             return None;
@@ -141,7 +141,7 @@ impl Separation {
 }
 
 impl GrowingPart {
-    /// Grows on until the next check of convergence. Returns how many cells were updated.
+    /// Grows on until the next check of convergence. Returns the number of cell updates.
     fn advance(&mut self) -> u64 {
         let Self { growth, monitor, settled } = self;
         if *settled {
@@ -151,13 +151,14 @@ impl GrowingPart {
         growth.advance(steps);
         let all = vec![true; growth.cells()];
         let verdict = monitor.check(growth.steps(), |marks| growth.update_marks(marks, &all));
-        // One that does not settle is shown as it is.
+        // A part that does not settle is shown as it is.
         *settled = verdict != Verdict::Forming;
         steps * growth.cells() as u64
     }
 }
 
-/// Measures the spots of `least_area`, px², and more in `parts` again, which have grown on from `marks` in `engine`, and writes their concentrations over `marks`.
+/// Measures spots of at least `least_area`, px², again in `parts`, which have grown on from `marks` in `engine`, and writes their
+/// concentrations over `marks`.
 pub fn remeasured(
     plan: &Plan,
     least_area: f64,
@@ -197,14 +198,15 @@ fn on_canvas(cutout: &Cutout, spots: Vec<Spot>) -> Vec<Spot> {
     spots.into_iter().filter(is_uncut).map(moved).collect()
 }
 
-/// A region ends within so many radii of its ellipse.
+/// Largest distance of the end of a region from the centre of its ellipse, in radii.
 const LONGER: f64 = 1.5;
-/// Spots whose centres are nearer than this share of their radius are the same.
+/// Largest distance of the centres of two measurements of one spot, as a share of its radius.
 const SAME: f64 = 0.1;
-/// Spots have not changed whose centres are nearer than this share of their radius, and whose areas differ by less than it.
+/// Largest distance of the centres, as a share of the radius, and largest relative difference of the areas, of a spot that has not
+/// changed.
 const UNCHANGED: f64 = 1e-3;
 
-/// Replaces those of `spots` that have changed from `before` to `after`.
+/// Replaces the spots that have changed from `before` to `after`.
 fn replace(spots: &mut Vec<Spot>, before: &[Spot], after: &[Spot], canvas: Bounds) {
     let lasts = |spot: &&Spot, among: &[Spot]| {
         let alike = |other: &Spot| {
@@ -254,7 +256,7 @@ mod tests {
             .begin(3)
     }
 
-    /// The spots of `marks`, as all of the pattern is measured.
+    /// The spots of `marks`, measured on the whole pattern.
     fn measured(plan: &Plan, marks: &Field) -> Measured {
         let size = measured_size(plan, plan.lookup.map.layout().size.map(|side| side as usize));
         let pattern = Pattern::new(&plan.lookup, marks);
@@ -271,7 +273,7 @@ mod tests {
             assert!(engine.settle(&Watch::NONE).expect("not cancelled"));
             let places = engine.varied.as_ref().expect("they differ").places.clone();
             let grid = engine.maps.domain;
-            // The one nearest to the lower right corner, and its nearest neighbour.
+            // The spot nearest to the lower right corner, and its nearest neighbour.
             let apart = |a: [f64; 2], b: [f64; 2]| {
                 let [x, y] = grid.displacement(a, b);
                 x * x + y * y
@@ -301,7 +303,7 @@ mod tests {
             parts.iter().flat_map(|part| part.cutout.cells()).for_each(|cell| outside[cell] = false);
             let same = marks.values.iter().zip(&before.values).map(|(now, before)| now == before);
             assert!(same.zip(&outside).all(|(same, outside)| same || !outside));
-            // All that was written is what is there, and it is measured as if all were.
+            // The result agrees with a measurement of the whole pattern.
             assert!(marks == plan.levelled(engine.marks()) && marks != before);
             let expected = measured(&plan, &marks);
             assert_eq!(expected.spots().len(), count - 1);

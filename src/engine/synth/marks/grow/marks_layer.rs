@@ -1,4 +1,4 @@
-//! A layer of spots or stripes on a canvas, as passes correct it.
+//! A layer of spots or stripes on a canvas, in the form that passes correct.
 
 use std::sync::Arc;
 
@@ -30,31 +30,31 @@ use crate::synth::passes::{
 };
 use crate::synth::profile::{Section, during};
 
-/// Fewer spots than this have no mean that could be corrected.
+/// Least number of spots with a mean that is corrected.
 const OTHERS: f64 = 3.0;
 
 /// A layer that grows and is corrected.
 pub struct MarksLayer<'a> {
     setting: Setting<'a>,
     options: LayerOptions,
-    /// How it is grown.
+    /// The plan.
     pub plan: Arc<Plan>,
-    /// What is corrected of that.
+    /// The corrections of the plan.
     pub corrections: Corrections,
     /// The pattern that grows.
     pub engine: Engine,
     settled: bool,
     shown: Shown,
-    /// The thresholds of the last round: what has grown on hardly needs others.
+    /// The thresholds of the last round: a pattern that has grown on needs hardly other ones.
     factors: Option<Vec<f64>>,
     merged: MergedSpots,
     drawn: DrawnSpots,
-    /// What is added to the parameters of the drawn spots.
+    /// The corrections of the parameters of the drawn spots.
     added: Vec<NodeOffset>,
     half: HalfGrown,
     parts: Option<Vec<Part>>,
     separation: Option<Separation>,
-    /// What it is instead of a pattern.
+    /// The content of the layer instead of a pattern.
     blank: Option<&'static str>,
     best: Option<(f64, GrownMarks)>,
     ragged: Option<Box<RaggedSearch>>,
@@ -62,11 +62,11 @@ pub struct MarksLayer<'a> {
 
 /// The pattern that has grown.
 enum Shown {
-    /// It still grows, or is kept.
+    /// The layer still grows, or keeps its pattern.
     Nothing,
     /// Its thresholds are moved.
     Levelled(Field, Box<Levelled>),
-    /// They stay as they are.
+    /// The thresholds do not change any more.
     Measured(Field, Levels, Measured),
 }
 
@@ -108,7 +108,7 @@ impl<'a> MarksLayer<'a> {
         self.ragged.as_ref().map(|search| search.progress())
     }
 
-    /// The best that has grown.
+    /// The best grown pattern.
     #[must_use]
     pub fn complete(self) -> Option<GrownMarks> {
         let steps = self.engine.steps();
@@ -119,7 +119,7 @@ impl<'a> MarksLayer<'a> {
         if let Shown::Levelled(_, levelled) = &self.shown { Some(levelled) } else { None }
     }
 
-    /// The grown spots, as they were measured last, and the one that belongs to each drawn one.
+    /// The grown spots of the last measurement, and the spot that belongs to each drawn one.
     fn own_spots(&self) -> (&[Spot], Vec<Option<usize>>) {
         let spots = self.levelled().map_or(&[][..], Levelled::spots);
         (spots, matches(self.corrections.pinned_spots(), self.plan.lookup.map.layout(), spots))
@@ -130,8 +130,8 @@ impl<'a> MarksLayer<'a> {
         layout.index(layout.region_of(spot.ellipse.center))
     }
 
-    /// How far what is `measured` is from what was drawn. A mark that is missing is worse than one that differs as much as one can: it
-    /// counts twice. A lost one is in the error once already. One that has grown by half counts half.
+    /// Difference between the `measured` layer and the sketch. A missing mark is worse than any difference of a mark, and counts
+    /// twice. A lost mark is contained in the error already once. A half-grown mark counts half.
     fn error(&self, measured: &Measured) -> f64 {
         let told = measured.merged_spots(&self.plan).count();
         let merged = told.max(self.merged.surplus.len() + self.merged.crowded.len());

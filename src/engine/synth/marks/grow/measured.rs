@@ -1,29 +1,29 @@
-//! What is measured on a layer of spots or stripes.
+//! Measurements of a layer of spots or stripes.
 
 use crate::attributes::Attributes;
 use crate::grid::Field;
 use crate::measure::{self, MERGED_FILL, Spot, SpotErrors, StripeErrors, Target};
 use crate::synth::marks::plan::laid_out::Plan;
 
-/// What was measured on a layer, by region.
+/// Measurements of a layer, by region.
 #[derive(Clone, Debug)]
 pub enum Measured {
     /// A layer of spots.
     Spots {
         /// Errors by region.
         errors: Vec<SpotErrors>,
-        /// All marks, cut ones too.
+        /// All marks, also those cut by the border.
         marks: Vec<Spot>,
     },
     /// A layer of stripes.
     Stripes(Vec<StripeErrors>),
 }
 
-/// Measured points a cell of the grid along each side, where the canvas has more px than that: a spot of 48 cells then has
-/// 108 points, from which its area is measured to 0.1 %.
+/// Measured points per cell of the grid along each side, if the canvas has more px than that: a spot of 48 cells then has 108
+/// points, which give its area to 0.1 %.
 const FINER: f64 = 1.5;
 
-/// Measures `pattern`, a field of the canvas of `plan`, against what was asked.
+/// Measures `pattern`, a field of the canvas of `plan`, against the wanted attributes.
 #[must_use]
 pub fn measured(plan: &Plan, least_area: f64, pattern: &Field) -> Measured {
     if plan.lookup.system.is_striped() {
@@ -55,7 +55,7 @@ impl Measured {
         }
     }
 
-    /// All spots, cut ones too; none of stripes.
+    /// All spots, also those cut by the border; none for stripes.
     #[must_use]
     pub fn spots(&self) -> &[Spot] {
         match self {
@@ -64,14 +64,14 @@ impl Measured {
         }
     }
 
-    /// The whole spots of a layer grown from `plan` that are two grown together; none of stripes.
+    /// The whole spots of a layer grown from `plan` that are two merged ones; none for stripes.
     pub fn merged_spots(&self, plan: &Plan) -> impl Iterator<Item = &Spot> {
-        // Irregular outlines fill less of their ellipses.
+        // Irregular outlines fill a smaller part of their ellipses.
         let regular = plan.lookup.irregular == 0.0;
         self.spots().iter().filter(move |spot| regular && spot.whole && spot.fill < MERGED_FILL)
     }
 
-    /// What has grown in region `index`.
+    /// The attributes of the marks that grew in region `index`.
     #[must_use]
     pub fn got(&self, index: usize) -> Option<Attributes> {
         match self {

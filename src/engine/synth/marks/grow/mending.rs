@@ -1,8 +1,8 @@
-//! Growing on from a settled pattern in which spots that have grown by half begin again: most of those that stay too low or too small have
-//! begun too late.
+//! Continues the growth of a settled pattern after half-grown spots have been restarted: most of the spots that stay too low or too
+//! small have begun too late.
 //!
-//! Lines that fade beside others are left as they are. Taken away, or raised to their full height, they make the widths and distances
-//! beside drawn strokes worse (`facts.md` M).
+//! Lines that fade beside others are left as they are. Removing them, or raising them to their full height, makes the widths and
+//! distances near drawn strokes worse (`facts.md` M).
 
 use crate::grid::Domain;
 use crate::synth::marks::grow::engine::Engine;
@@ -10,8 +10,8 @@ use crate::synth::marks::grow::half_grown::HalfGrown;
 use crate::synth::marks::plan::laid_out::Plan;
 
 impl Engine {
-    /// Goes on growing with new beginnings of the spots that have grown by `half`. Returns how many there are: none of irregular spots,
-    /// which are of all heights on purpose.
+    /// Continues the growth with new starts of the `half`-grown spots. Returns their number: none for irregular spots, which are of
+    /// different heights on purpose.
     pub fn grow_on_mended(&mut self, plan: &Plan, half: &HalfGrown) -> usize {
         if plan.lookup.irregular > 0.0 {
             return 0;
@@ -23,7 +23,7 @@ impl Engine {
         again.len()
     }
 
-    /// The places of the spots nearest to `half`, cells.
+    /// The initial places of the spots nearest to `half`, cells.
     fn nearest_places(&self, half: &[[f64; 2]]) -> Vec<[f64; 2]> {
         let places = self.varied.as_ref().map_or(&[][..], |spots| &spots.places);
         let nearest = |at: &[f64; 2]| {

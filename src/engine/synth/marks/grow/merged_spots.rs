@@ -1,4 +1,4 @@
-//! Spots that have grown together.
+//! Spots that have merged.
 
 use crate::attributes::regions::RegionGrid;
 use crate::grid::PointBuckets;
@@ -6,11 +6,11 @@ use crate::measure::{MERGED_FILL, Spot};
 use crate::synth::marks::plan::pinned_marks::displacement;
 use crate::synth::passes::MergedSpots;
 
-/// A spot belongs to the nearest grown one if its place is within so many times its radii from the centre: spots of a packed
-/// pattern move by up to a radius.
+/// A place belongs to the nearest grown spot if it is within this multiple of its radii from the centre: spots of a dense pattern move
+/// by up to a radius.
 const REACH: f64 = 1.5;
 
-/// Compares the `grown` spots with the `places`, px, where they began. The first `pinned` ones are never surplus.
+/// Compares the `grown` spots with the `places`, px, at which they began. The first `pinned` spots are never surplus.
 #[must_use]
 pub fn merged_spots(places: &[[f64; 2]], pinned: usize, grown: &[Spot], layout: &RegionGrid) -> MergedSpots {
     let mut begun = vec![Vec::new(); grown.len()];
@@ -25,7 +25,7 @@ pub fn merged_spots(places: &[[f64; 2]], pinned: usize, grown: &[Spot], layout: 
         let near = centers.within(*place, REACH * longest).into_iter().map(|spot| spot as usize);
         let near = near.map(|spot| (spot, radii_away(*place, &grown[spot], layout)));
         let near: Vec<(usize, f64)> = near.filter(|(_, radii)| *radii < REACH).collect();
-        // Places far from those that may have grown together belong to others.
+        // Places far from spots that may have merged belong to other spots.
         if near.iter().any(|(spot, _)| merged(&&grown[*spot]))
             && let Some((spot, _)) = near.iter().min_by(|a, b| a.1.total_cmp(&b.1))
         {
@@ -44,7 +44,7 @@ pub fn merged_spots(places: &[[f64; 2]], pinned: usize, grown: &[Spot], layout: 
     found
 }
 
-/// How far a place, px, is from the centre of a spot: 1 on the outline of its ellipse.
+/// Distance of a place, px, from the centre of a spot, in radii: 1 on the outline of its ellipse.
 fn radii_away(place: [f64; 2], spot: &Spot, layout: &RegionGrid) -> f64 {
     let away = displacement(place, spot.ellipse.center, layout);
     let [along, across] = crate::grid::turned(away, -spot.ellipse.angle);
@@ -70,7 +70,7 @@ mod tests {
     }
 
     #[test]
-    fn of_two_that_grew_together_the_first_is_kept() {
+    fn of_two_merged_spots_the_first_is_kept() {
         let grown = [spot(40.0, [20.0, 8.0], 0.85), spot(90.0, [10.0, 9.0], 0.99)];
         assert_eq!(
             found(&[30.0, 50.0, 91.0], 0, &grown),

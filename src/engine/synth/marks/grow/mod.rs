@@ -1,4 +1,4 @@
-//! Plans of spots and stripes → grown ones.
+//! The growth of spots and stripes from their plan.
 
 mod blank;
 pub mod convergence;
@@ -36,5 +36,5 @@ pub use layer_growth::MarksGrowth;
 pub use marks_layer::MarksLayer;
 pub use pinned_correction::matched;
 
-/// Cell updates between two moments at which a growth can be watched or cancelled: some milliseconds.
+/// Cell updates between two moments at which a growth can be shown or cancelled: some milliseconds.
 pub const UPDATES: u64 = 4_000_000;

@@ -1,4 +1,4 @@
-//! What the layers beneath do to a layer: their marks take cells, and bias the spots between them.
+//! Effects of the layers beneath on a layer: their marks take cells, and bias the spots between them.
 
 use rayon::prelude::*;
 
@@ -10,11 +10,11 @@ use crate::synth::marks::plan::offset::Offset;
 use crate::synth::pattern::EDGE;
 use crate::synth::pattern::LayerPattern;
 
-/// Points that are sampled in a cell along each axis, at most.
+/// Most points that are sampled in a cell along each axis.
 const POINTS: usize = 4;
 
-/// The cells of a grid of so many columns and rows that the marks of the layers `beneath` reach into, row by row; empty where
-/// there is no such layer. Layers that another one replaces, and those under which its own marks `pass`, take no cells.
+/// The cells of a grid of this number of columns and rows that the marks of the layers `beneath` cover in part, row by row; empty if there
+/// is no such layer. Layers that another one replaces, and layers under which the marks `pass`, take no cells.
 #[must_use]
 pub fn obstacles(
     beneath: &Beneath,
@@ -30,7 +30,7 @@ pub fn obstacles(
     }
     let mut taken = vec![false; nx * ny];
     for layer in &shown {
-        // As many points as resolve the finest detail that this layer has grown.
+        // As many points as resolve the finest detail of this layer.
         let finer = |axis: usize, n: usize| layer.grid()[axis].div_ceil(n).clamp(1, POINTS);
         let [fx, fy] = [finer(0, nx), finer(1, ny)];
         let fine = layer.field(fx * nx, fy * ny);
@@ -43,16 +43,16 @@ pub fn obstacles(
     taken
 }
 
-/// A region of fewer spots is not corrected: so few turn by chance as much as by what is beside them.
+/// Least number of spots of a region that is corrected: the mean direction of fewer varies by chance as much as by obstacles.
 const FEW: usize = 12;
-/// An error of the direction, degrees, that is not corrected.
+/// Largest error of the direction that is not corrected, degrees.
 const TOLERATED_TURN: f64 = 1.5;
-/// An error of ln aspect that is not corrected.
+/// Largest error of ln aspect that is not corrected.
 const TOLERATED_ELONGATION: f64 = 0.03;
 
-/// How obstacles turn and stretch the spots between them, by region; `None` where they hardly do.
+/// Rotation and stretching of the spots between obstacles, by region; `None` if both are negligible.
 ///
-/// In a lane between two stripes a spot leans along it: by 5.7° in one of two spacings.
+/// In a lane between two stripes a spot is rotated towards the lane: by 5.7° in a lane of two spacings.
 #[must_use]
 pub fn bias(plan: &Plan, measured: &Measured) -> Option<Vec<Offset>> {
     let Measured::Spots { errors, .. } = measured else { return None };

@@ -1,4 +1,4 @@
-//! Levels of single spots: the last per cents of the area of each drawn spot come from the level of its own edge.
+//! Thresholds of single spots: the last per cents of the area of each drawn spot come from the threshold of its own edge.
 //!
 //! ```text
 //! ln f(x) = Σₖ wₖ ln fₖ ÷ (w₀ + Σₖ wₖ),  wₖ = exp(−2 qₖ²)
@@ -15,13 +15,12 @@ use rayon::prelude::*;
 use crate::grid::{Domain, Grid, exp};
 use crate::measure::Spot;
 
-/// w₀: from twice the radius on a spot's own factor fades.
+/// w₀: from twice the radius on, a spot's own factor decreases.
 const GROUND: f64 = 3.4e-4;
-/// Beyond so many radii a spot has no weight.
+/// Distance from which on a spot has no weight, in radii.
 const REACH: f64 = 3.0;
 
-/// Factors of the level at every cell of `grid`, whose size is that of the canvas in px, from the spots with their own
-/// factor.
+/// Factors of the threshold at every cell of `grid`, whose size is that of the canvas in px, from spots with a factor.
 #[must_use]
 pub fn own_levels(grid: &Grid, spots: &[(&Spot, f64)]) -> Vec<f64> {
     let kernels: Vec<Kernel> = spots.iter().map(|(spot, factor)| Kernel::new(spot, *factor, grid)).collect();
@@ -48,7 +47,7 @@ struct Kernel {
     radii: [f64; 2],
     /// Cosine and sine of its angle.
     axis: [f64; 2],
-    /// Cells farther away have no weight, cells.
+    /// Distance beyond which cells have no weight, cells.
     far: f64,
     /// ln f.
     log_factor: f64,
@@ -80,7 +79,7 @@ impl Kernel {
     }
 }
 
-/// The weights at cells beside each other of sides `cell`, px, the first of them at `displacement`, cells.
+/// The weights at adjacent cells with sides `cell`, px; the first one is at `displacement`, cells.
 #[multiversion(targets("x86_64+avx2"))]
 fn side_by_side(kernel: &Kernel, cell: [f64; 2], displacement: [f64; 2], weights: &mut [f64]) {
     let ([a, b], [c, s]) = (kernel.radii, kernel.axis);

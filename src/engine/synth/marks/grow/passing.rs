@@ -1,6 +1,6 @@
-//! Stripes that cross those of a layer beneath pass under them, in line on both sides.
+//! Stripes that cross the stripes of a layer beneath: they pass under them, and are aligned on both sides.
 //!
-//! Grown into the gaps alone they would be short ticks, each where the gap puts it. So the stripes that they cross are no
+//! Stripes that grow into the gaps alone would be short pieces, shifted from gap to gap. So the stripes that they cross are no
 //! obstacles to them, and hide them.
 
 use crate::attributes::Attributes;
@@ -11,12 +11,12 @@ use crate::synth::kind::{Beneath, GrownBeneath};
 use crate::synth::marks::GrownMarks;
 use crate::synth::marks::plan::layer_lookup::{Lookup, Start};
 
-/// Directions that differ by more than this in the mean cross each other, degrees; stripes that differ by less find room
+/// Directions that differ by more than this on average cross each other, degrees; stripes whose directions differ by less find room
 /// between each other.
 const CROSSING: f64 = 35.0;
 /// Points along each side at which directions are compared.
 const POINTS: usize = 16;
-/// Points of the hidden part in a cell of the layer above it, along each side.
+/// Points per cell of the layer above along each side, for the hidden part.
 const FINER: usize = 2;
 
 /// Whether the stripes of `lookup` cross those of the layer `below`.
@@ -43,8 +43,7 @@ pub fn crosses(lookup: &Lookup, below: &dyn GrownBeneath) -> bool {
     (0..POINTS * POINTS).map(apart).sum::<f64>() > CROSSING * (POINTS * POINTS) as f64
 }
 
-/// The marks of those of the layers `beneath` that the stripes of `lookup` pass under: the pattern of all of them; `None`
-/// without any.
+/// The pattern of all layers `beneath` under which the stripes of `lookup` pass; `None` if there are none.
 #[must_use]
 pub fn crossed_marks(beneath: &Beneath, lookup: &Lookup) -> Option<Field> {
     let shown = beneath.layers.iter().enumerate();

@@ -1,4 +1,4 @@
-//! The pattern: what has grown, on the canvas. 0 = ground, ½ = a mark's edge, 1 = the centre of a mark.
+//! The pattern: a grown layer on the canvas. 0 = ground, ½ = a mark's edge, 1 = the centre of a mark.
 
 use std::ops::Range;
 
@@ -12,31 +12,31 @@ use crate::grid::{Cutout, Field};
 use crate::synth::marks::plan::layer_lookup::Lookup;
 use crate::synth::pattern::{PatternRows, share};
 
-/// A layer's grown concentration, and the levels at which marks have their edges.
+/// A layer's grown concentration, and the thresholds of the edges of its marks.
 pub struct Pattern<'a> {
     lookup: &'a Lookup,
     spline: Spline,
-    /// Factors of the looked-up levels, by region.
+    /// Factors of the looked-up thresholds, by region.
     pub correction: Vec<f64>,
     /// Further factors of single spots, one a cell of the planned grid; empty = none.
     pub own: Vec<f64>,
-    /// What is added to it so that its edges are ragged.
+    /// The field that is added to make its edges ragged.
     pub(in crate::synth::marks) added: Option<Spline>,
-    /// Marks that hide it, as a pattern over the canvas.
+    /// The pattern over the canvas of marks that hide it.
     pub(in crate::synth::marks) crossed: Option<Spline>,
 }
 
-/// A pattern without what was looked up for it.
+/// The concentrations of a pattern and the factors of its thresholds, without the lookup.
 #[derive(Clone, Default)]
 pub struct Levels {
     spline: Spline,
-    /// Factors of the looked-up levels, by region.
+    /// Factors of the looked-up thresholds, by region.
     pub correction: Vec<f64>,
     /// Further factors of single spots, see [`Pattern::own`].
     pub own: Vec<f64>,
 }
 
-/// Levels beyond these cut a spot at its foot or its tip, where noise and not the spot decides.
+/// Thresholds beyond these cut a spot at its foot or its tip, where its outline depends on noise.
 const CUTS: [f64; 2] = [0.15, 0.8];
 
 impl<'a> Pattern<'a> {
@@ -54,14 +54,14 @@ impl<'a> Pattern<'a> {
         }
     }
 
-    /// The pattern of `lookup` with these levels.
+    /// The pattern of `lookup` with these thresholds.
     #[must_use]
     pub fn of_levels(lookup: &'a Lookup, levels: Levels) -> Self {
         let Levels { spline, correction, own } = levels;
         Self { lookup, spline, correction, own, added: None, crossed: None }
     }
 
-    /// What it is made of.
+    /// The concentrations and the factors of the thresholds.
     #[must_use]
     pub fn into_levels(self) -> Levels {
         Levels { spline: self.spline, correction: self.correction, own: self.own }
@@ -79,7 +79,7 @@ impl<'a> Pattern<'a> {
         self.spline.rows(0..height, width, height)
     }
 
-    /// The pattern of such a `concentration`.
+    /// The pattern of a `concentration` from [`Self::concentration`].
     #[must_use]
     pub fn levelled(&self, concentration: &[f32], [width, height]: [usize; 2]) -> Field {
         let mut pattern = self.on_canvas(concentration.to_vec(), width, height);
@@ -99,7 +99,7 @@ impl<'a> Pattern<'a> {
         pattern
     }
 
-    /// Writes the same over a `pattern` with other levels.
+    /// Writes the pattern with other thresholds over a `pattern`.
     pub fn level_again(&self, concentration: &[f32], pattern: &mut Field) {
         pattern.values.copy_from_slice(concentration);
         self.level_off(&mut pattern.values, [0.0; 2], pattern.cell, pattern.width);
@@ -170,7 +170,7 @@ impl PatternRows for Pattern<'_> {
         self.grid()
     }
 
-    /// Spots and stripes of one system are round.
+    /// Whether the outlines of marks may have corners: spots and stripes of one system have none.
     fn has_corners(&self) -> bool {
         false
     }
@@ -187,14 +187,14 @@ impl PatternRows for Pattern<'_> {
 /// The columns of a layout between which the px of a row lie, for interpolation.
 struct Columns<'a> {
     layout: &'a RegionGrid,
-    /// Px between the same two columns, and these.
+    /// Ranges of px between two columns, and the two columns.
     spans: Vec<(Range<usize>, [usize; 2])>,
     /// The share of the second column at each px.
     shares: Vec<f64>,
 }
 
 impl<'a> Columns<'a> {
-    /// Of `width` px, the `first` of which lies so many from the edge.
+    /// Columns for `width` px; the `first` px is at this distance from the edge.
     fn new(layout: &'a RegionGrid, first: f64, px: f64, width: usize) -> Self {
         let mut spans: Vec<(Range<usize>, [usize; 2])> = Vec::new();
         let mut shares = Vec::with_capacity(width);
@@ -224,13 +224,13 @@ impl<'a> Columns<'a> {
     }
 }
 
-/// Calls `put` with each of `out` and the value at its share of the way from the first value to the second.
+/// Writes interpolated values by `put` to each of `out`, by its share of the way from the first value to the second.
 #[multiversion(targets("x86_64+avx2"))]
 fn interpolate(out: &mut [f64], shares: &[f64], [left, right]: [f64; 2], put: &impl Fn(&mut f64, f64)) {
     out.iter_mut().zip(shares).for_each(|(out, share)| put(out, (1.0 - share) * left + share * right));
 }
 
-/// Concentrations → the pattern of lines at these levels, or of the gaps between them where the polarity is `negative`.
+/// Converts concentrations to the pattern of lines with these thresholds, or of the gaps between lines if `negative`.
 #[multiversion(targets("x86_64+avx2"))]
 fn shares(values: &mut [f32], levels: &[f64], negative: bool) {
     for (value, level) in values.iter_mut().zip(levels) {

@@ -1,8 +1,8 @@
-//! Drawn spots grow as large, long and turned as they were drawn: what each differs by is subtracted from its own
-//! parameters, and the pattern goes on growing from where it is. Those that are not there begin again, with parameters that
-//! suit their place better.
+//! Corrections that give drawn spots the size, shape and direction with which they were drawn. The error of each spot is subtracted
+//! from its own parameters, and the growth of the pattern continues. Missing spots begin again, with parameters that suit their
+//! place better.
 //!
-//! A correction takes little time beside the growth: the pattern has settled, and only the spots that differ change.
+//! A correction takes little time compared with the growth: the pattern has settled, and only spots with errors change.
 
 use crate::attributes::regions::RegionGrid;
 use crate::grid::PointBuckets;
@@ -13,21 +13,21 @@ use crate::synth::marks::plan::lattice::NodeOffset;
 use crate::synth::marks::plan::pinned_marks::{PinnedMark, displacement};
 use crate::synth::passes::DrawnSpots;
 
-/// A grown spot belongs to a drawn one within this share of its radius √(r₁r₂).
+/// Largest distance of a grown spot from the drawn one that it belongs to, as a share of the radius √(r₁r₂).
 pub const THERE: f64 = 0.5;
-/// The share of a difference in shape that is corrected at once.
+/// The share of an error in shape that is corrected at once.
 const GAIN: f64 = 0.8;
-/// The share of a difference in ln area that is corrected at once: among near neighbours, spots answer to half of a correction.
-/// What was corrected too much is within reach of the levels.
+/// The share of an error in ln area that is corrected at once: among near neighbours, only half of a correction takes effect. An
+/// excess can be removed by the threshold.
 const AREA_GAIN: f64 = 1.6;
-/// A difference of ln area that is not corrected.
+/// The largest error of ln area that is not corrected.
 const TOLERATED_AREA: f64 = 0.05;
-/// A difference of −ln aspect · (cos 2θ, sin 2θ) that is not corrected.
+/// The largest error of −ln aspect · (cos 2θ, sin 2θ) that is not corrected.
 const TOLERATED_SHAPE: f64 = 0.04;
-/// A pattern that was corrected before is corrected again only where some shapes differ by more than is tolerated, or some areas by
-/// this many times as much.
+/// A pattern that has been corrected before is corrected again only if some errors of shape exceed the tolerance, or some errors of
+/// area exceed this multiple of it.
 const AGAIN: f64 = 2.0;
-/// Of ellipses with a smaller aspect more is tolerated: as much of the aspect itself.
+/// For ellipses with a smaller aspect the tolerance is larger: the error of the aspect itself is then limited.
 const NARROW: f64 = 0.4;
 
 /// The grown spot at the place of each pinned one.
@@ -66,7 +66,7 @@ pub fn matches(pinned: &[PinnedMark], layout: &RegionGrid, spots: &[Spot]) -> Ve
     found
 }
 
-/// How pinned spots differ from what was drawn, and what is added to the parameters of each for that.
+/// Errors of pinned spots, and the corrections that are added to the parameters of each.
 #[must_use]
 pub fn compared(pinned: &[PinnedMark], layout: &RegionGrid, grown: &[Spot]) -> (DrawnSpots, Vec<NodeOffset>) {
     let mut drawn = DrawnSpots { count: pinned.len(), ..DrawnSpots::default() };
@@ -98,16 +98,15 @@ pub fn compared(pinned: &[PinnedMark], layout: &RegionGrid, grown: &[Spot]) -> (
     (drawn, added)
 }
 
-/// The change for a spot that split in two, and for one that its neighbours pushed away or killed: with a larger ratio spots
-/// do not split, with a smaller one they take less room. The rate keeps the area, or lets it shrink so far that the level can
-/// make up for it.
+/// The change for a spot that has split in two: with a larger ratio spots do not split. The rate keeps the area, or lets it shrink
+/// so far that the threshold can correct it.
 const SPLIT: NodeOffset = [-0.3, 0.0, 0.0, 0.35];
-/// The change for a spot that its neighbours pushed away or killed, see [`SPLIT`].
+/// The change for a spot that its neighbours displaced or suppressed: with a smaller ratio it needs less room. See also [`SPLIT`].
 const CROWDED: NodeOffset = [0.45, 0.0, 0.0, -0.2];
-/// Two spots within so many radii of a place where none is are the halves of one.
+/// Two spots within this number of radii of a place without a spot are the halves of one.
 const HALVES: f64 = 1.6;
 
-/// Whether a mark that is not there has split in two.
+/// Whether a missing mark has split in two.
 fn is_split(mark: &PinnedMark, layout: &RegionGrid, grown: &[Spot]) -> bool {
     let near = |spot: &&Spot| {
         let [x, y] = displacement(spot.ellipse.center, mark.visible.center, layout);
@@ -116,7 +115,7 @@ fn is_split(mark: &PinnedMark, layout: &RegionGrid, grown: &[Spot]) -> bool {
     grown.iter().filter(near).count() >= 2
 }
 
-/// A spot with this many times the aspect of the drawn one is two narrow ones side by side.
+/// A spot with at least this multiple of the drawn aspect consists of two narrow ones side by side.
 const DOUBLED: f64 = 1.7;
 
 /// Whether a grown spot is two halves of a narrow one, which touch along their length.
@@ -124,8 +123,8 @@ fn is_two_side_by_side(mark: &PinnedMark, grown: &Spot) -> bool {
     grown.whole && grown.ellipse.aspect() > DOUBLED * mark.drawn.aspect().max(NARROWEST)
 }
 
-/// The change of the parameters that takes a spot that has `grown` so to the one drawn. Of one that the border cuts only the
-/// area of the visible part is known.
+/// The correction for a drawn spot that has `grown` like this. For a spot that the border cuts only the area of the visible part is
+/// known.
 fn difference(mark: &PinnedMark, grown: &Spot) -> NodeOffset {
     let (drawn, got) = (&mark.drawn, &grown.ellipse);
     let larger = libm::log(got.area() / mark.visible.area);
@@ -136,7 +135,7 @@ fn difference(mark: &PinnedMark, grown: &Spot) -> NodeOffset {
         let (long, double) = (-libm::log(aspect), (2.0 * ellipse.major_angle()).to_radians());
         [long * libm::cos(double), long * libm::sin(double)]
     };
-    // Asked for a smaller aspect than any spot can have, it would split in two.
+    // With a smaller aspect than any spot can have, it would split in two.
     let [[c, s], [got_c, got_s]] = [shape(drawn, drawn.aspect().max(NARROWEST)), shape(got, got.aspect())];
     [larger, c - got_c, s - got_s, 0.0]
 }

@@ -13,22 +13,22 @@ use crate::synth::marks::grow::spot_control::SpotControl;
 use crate::synth::marks::grow::stroke_control::StrokeControl;
 use crate::synth::marks::plan::laid_out::Plan;
 
-/// Normalised time between two corrections of strokes: the tension of a stripe pulls it across a bent stroke by about .1 periods in
-/// a time of 2.
+/// Normalised time between two corrections of strokes: in a time of 2, the tension of a stripe pulls it across a bent stroke by
+/// about 0.1 periods.
 const STROKES_EVERY: f64 = 0.5;
-/// Normalised time between two corrections of spots, which push each other. With .5, and 1 where they hardly move, a sketch of 18
-/// spots took a tenth more time to grow, and the mean errors of 115 documents at 300 px hardly differed (area 1.77 instead of
+/// Normalised time between two corrections of spots, which push each other. With 0.5 (and 1 for spots that hardly move) a sketch of
+/// 18 spots took a tenth more time to grow, and the mean errors of 115 documents at 300 px hardly differed (area 1.77 instead of
 /// 1.61 %, spacing 3.74 instead of 3.77 %).
 const SPOTS_EVERY: f64 = 0.75;
 /// Normalised time between two corrections of spots that hardly move.
 const CALM_SPOTS_EVERY: f64 = 1.5;
 
-/// Where the drawn marks of a layer shall be, and where they are.
+/// The intended and the current places of the drawn marks of a layer.
 #[derive(Clone, Debug)]
 pub enum PositionControl {
-    /// Of spots.
+    /// Control of spots.
     Spots(SpotControl),
-    /// Of lines and paths.
+    /// Control of lines and paths.
     Strokes(StrokeControl),
 }
 
@@ -65,7 +65,7 @@ impl PositionControl {
         }
     }
 
-    /// Takes the `lost` spots to be at their places again. Returns where they were last seen, cells of `grid`.
+    /// Assumes that the `lost` spots are at their places again. Returns where they were last seen, cells of `grid`.
     pub fn forget(&mut self, lost: &[usize], grid: &Grid) -> Vec<[f64; 2]> {
         match self {
             Self::Spots(spots) => spots.forget(lost, grid),

@@ -1,16 +1,16 @@
 //! Probes: before the canvas is grown, a small seamless patch is grown to measure the error of the looked-up parameters.
 //!
-//! The canvas itself cannot correct its parameters: its regions hold few marks, and other ones in every growth (`facts.md`
-//! K). A patch holds two hundred of one kind. From the question x and the means m of `n` patches follow the offset of the
-//! training set there, and the corrected question:
+//! The canvas itself cannot correct its parameters: its regions hold few marks, and different ones in every growth (`facts.md` K).
+//! A patch holds two hundred of one kind. From the question x and the means m of `n` patches follow the offset of the training set
+//! there, and the corrected question:
 //!
 //! ```text
 //! δ = g · mean(mₖ − xₖ)      x₊ = x − δ      g = σ² ÷ (σ² + ν²/n),  σ² = s² − ν₀²
 //! ```
 //!
-//! s is the scatter of the training rows about the question, ν₀ that of equal rows (chance alone), ν that of probes. Nothing
-//! is grown where s is too small to be seen, or no more than chance: a full training set is trusted; one with few rows, or
-//! asked at its edge, is corrected.
+//! s is the scatter of the training rows about the question, ν₀ that of rows with equal parameters (random scatter alone), ν that
+//! of probes. No probe is grown if s is too small to be seen, or no larger than the random scatter: a full training set needs no
+//! correction, but a set with few rows, or a question at its edge, does.
 
 use rayon::prelude::*;
 
@@ -30,7 +30,7 @@ use crate::synth::watch::{Cancelled, Stage, Watch};
 
 /// Spots on a probe.
 const SPOTS: f64 = 200.0;
-/// Spots on the patches of the training sets, which the scatter of equal rows is about.
+/// Spots on the patches of the training sets, to which the scatter of equal rows refers.
 const TRAINED: f64 = 80.0;
 /// Wavelengths along the side of a probe, and of the patches of the training sets.
 const WAVELENGTHS: f64 = 20.0;
@@ -41,24 +41,24 @@ const WORTH: f64 = 0.5;
 /// Seed of the first probe; the next ones count up.
 const SEED: u64 = 0x5eed;
 
-/// Why probing ended without a result.
+/// The reason why probing ended without a result.
 #[derive(Debug, thiserror::Error)]
 pub enum ProbeError {
     /// The training set cannot be read.
     #[error(transparent)]
     Plan(#[from] PlanError),
-    /// It was cancelled.
+    /// The probe was cancelled.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
 }
 
-/// When to probe.
+/// Condition for a probe.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum When {
-    /// Where a probe would be more certain than the training set.
+    /// If a probe would be more accurate than the training set.
     #[default]
     Unsure,
-    /// Always, twice; for comparisons.
+    /// Probe always, twice; for comparisons.
     Always,
 }
 
@@ -83,7 +83,7 @@ pub fn probed(
 
 /// Probes that grow side by side.
 pub struct Probes {
-    /// One a question.
+    /// One probe for each question.
     distinct: Vec<Probe>,
     /// The probe of each region.
     places: Vec<usize>,
@@ -95,10 +95,10 @@ struct Probe {
     when: When,
     /// px a cell.
     cell: f64,
-    /// What can be reached of the question.
+    /// The nearest attributes to the question that can be reached.
     goal: Attributes,
     scatter: Offset,
-    /// The sum of what was found to be off.
+    /// The sum of the errors that were found.
     sum: Offset,
     answer: Answer,
     asked: Attributes,
@@ -160,7 +160,7 @@ impl Probes {
         self.distinct.par_iter_mut().map(advance).sum::<Result<u64, PlanError>>().map(Some)
     }
 
-    /// What they have found, by question.
+    /// The corrections that they have found, by question.
     #[must_use]
     pub fn found(&self) -> Vec<Correction> {
         self.places.iter().map(|place| self.distinct[*place].found.clone()).collect()
@@ -178,7 +178,7 @@ impl Probe {
         // The result scales with the size of the marks, and larger ones cost more.
         let cell = exact_cell(system, wanted, cell);
         let answer = Answers::new(training).ask(system, wanted, cell)?.predict();
-        // Corrected towards what can be reached.
+        // The correction leads to attributes that can be reached.
         let goal = answer.nearest;
         Ok(Self {
             system,
@@ -187,7 +187,7 @@ impl Probe {
             goal,
             scatter: scatter(&answer),
             sum: Offset::default(),
-            // Spots that stand alone follow a law that is as sure as a probe.
+            // Isolated spots follow a law that is as accurate as a probe.
             done: answer.pitch > 1.0,
             answer,
             asked: goal,
@@ -203,7 +203,7 @@ impl Probe {
         ProbePatch { system: self.system, parameters: self.answer.parameters, extent, seed }
     }
 
-    /// Grows on by about `updates` cell updates, or measures what has grown. Returns how many were done.
+    /// Grows on by about `updates` cell updates, or measures a grown patch. Returns the number of updates.
     fn advance(&mut self, training: &Training, updates: u64) -> Result<u64, PlanError> {
         if self.done {
             return Ok(0);
@@ -229,7 +229,7 @@ impl Probe {
         Ok(done + marks.values.len() as u64)
     }
 
-    /// Takes what a patch has `got` into account.
+    /// Uses the attributes that a patch has `got`.
     fn learn(&mut self, training: &Training, got: &InCells<Attributes>) -> Result<(), PlanError> {
         let gain = self.gain(self.found.growths + 1);
         self.found.growths += 1;
@@ -278,7 +278,7 @@ fn scatter(answer: &Answer) -> Offset {
     }
 }
 
-/// Whether there is an attribute that is not known well enough, and that a probe would measure.
+/// Whether an attribute is not known well enough, and a probe would measure it.
 fn worth(system: System, scatter: Offset, gain: Offset) -> bool {
     let missing = scatter.zip(Offset::from(system.definition().tolerated), |scatter, tolerated| {
         f64::from(u8::from(scatter > tolerated))
@@ -297,7 +297,7 @@ fn gain(system: System, answer: &Answer, scatter: Offset, growths: usize, when: 
     let share = |scatter: f64, chance: f64| {
         let probes = chance * chance * shrunk / growths as f64;
         let map = (scatter * scatter - chance * chance).max(0.0);
-        // Beyond its rows the set does not know its own error.
+        // Outside the range of its rows the error of the set is not known.
         let map = if answer.coverage == Coverage::Inside { map } else { map.max(chance * chance) };
         if chance > 0.0 { map / (map + probes) } else { 0.0 }
     };

@@ -1,4 +1,4 @@
-//! A seamless square patch grown from one set of parameters: what training rows, probes and comparisons are made of.
+//! A seamless square patch grown from one set of parameters, for training rows, probes and comparisons.
 
 use crate::attributes::spacing::{mean_length, neighbours};
 use crate::attributes::{Attributes, Spots, Stripes, axial_mean};
@@ -12,7 +12,7 @@ use crate::synth::watch::{Cancelled, Watch};
 /// Values of a marks field: 0 on the ground, 1 in the middle of a mark.
 const RANGE: [f32; 2] = [0.0, 1.0];
 
-/// What to grow.
+/// A patch to be grown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProbePatch {
     /// The system.
@@ -25,7 +25,7 @@ pub struct ProbePatch {
     pub seed: u64,
 }
 
-/// What was measured on a patch.
+/// Measurements of a patch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
     /// Whole spots, or wavelengths along a side.
@@ -60,7 +60,7 @@ impl ProbePatch {
         }
     }
 
-    /// Grows it: the marks as a share of the local peak, and whether they settled within their time.
+    /// Grows it. Returns the marks as a share of the local peak, and whether they settled within their time.
     ///
     /// # Errors
     /// [`Cancelled`].
@@ -78,10 +78,10 @@ impl ProbePatch {
         Engine::from_maps(self.system, maps, self.seed)
     }
 
-    /// Measures what [`Self::grow`] gave.
+    /// Measures the result of [`Self::grow`].
     ///
     /// # Errors
-    /// Why it is no texture.
+    /// The reason why it is not a texture.
     pub fn measure(&self, marks: &Field) -> Result<Sample, Reason> {
         match self.system {
             system if system.is_striped() => stripes(system, marks),
@@ -89,10 +89,11 @@ impl ProbePatch {
         }
     }
 
-    /// Measures what [`Self::grow`] gave, if it may be learnt from: settled, with at least `least` whole spots or wavelengths.
+    /// Measures the result of [`Self::grow`] if it is suitable as training data: settled, with at least `least` whole spots or
+    /// wavelengths.
     ///
     /// # Errors
-    /// Why it is no texture. A pattern that diverged or died is reported as such, whether it settled or not.
+    /// The reason why it is not a texture. A pattern that diverged or vanished is reported as such, whether it settled or not.
     pub fn judge(&self, marks: &Field, settled: bool, least: f64) -> Result<Sample, Reason> {
         measure::check_formed(marks, RANGE)?;
         if !settled {

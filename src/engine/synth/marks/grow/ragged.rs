@@ -1,4 +1,4 @@
-//! Ragged edges of spots and stripes: the grown pattern is roughened until it is as ragged as asked.
+//! Ragged edges of spots and stripes: the grown pattern is roughened until it has the raggedness that is asked for.
 
 use std::sync::Arc;
 
@@ -14,15 +14,15 @@ use crate::synth::pattern::EDGE;
 
 /// Cells in the radius of the smallest marks, so that the finest lobes of the noise have four.
 const CELLS: f64 = 12.0;
-/// Cells of that grid at most, as a multiple of the canvas' px: finer lobes are not seen.
+/// Most cells of that grid, as a multiple of the canvas' px: finer lobes cannot be seen.
 const MOST: f64 = 1.0;
-/// The amplitude that is tried first: that of a Holstein's edges on most systems.
+/// The first amplitude: that of a Holstein's edges on most systems.
 const FIRST: f64 = 0.12;
-/// Amplitudes that are tried at most. With the third one raggedness differs by less than [`NEAR`] where it can be reached.
+/// Most amplitudes that are tried. With the third one the error of the raggedness is below [`NEAR`] where it can be reached.
 const TRIES: usize = 5;
-/// Excess of the raggedness that is near enough to what was asked, as a share.
+/// Largest relative error of the excess of the raggedness that is accepted.
 const NEAR: f64 = 0.03;
-/// Mixed into the layer's seed: the noise of the edges has numbers of its own.
+/// Combined with the layer's seed, so that the noise of the edges has random numbers of its own.
 const SEED: u64 = 0x7261_6767_6564_3A31;
 
 /// A layer whose edges are being made ragged.
@@ -34,7 +34,7 @@ pub struct RaggedSearch {
     roughening: Roughening,
     /// The amplitude that is tried next.
     amount: f64,
-    /// The best so far, and by how much it is off.
+    /// The best amplitude so far: its error and the pattern.
     best: Option<(f64, Field)>,
     tries: usize,
 }
@@ -74,7 +74,7 @@ impl RaggedSearch {
             self.best = Some((off, rough));
         }
         let (amount, most) = (self.amount, f64::from(Roughening::MOST));
-        // Waves along an edge make it longer by the square of their height.
+        // Waves along an edge lengthen it by the square of their height.
         let next = (amount * ((self.asked - 1.0) / excess.max(1e-3)).sqrt())
             .clamp(0.3 * amount, 3.0 * amount)
             .min(most);
@@ -95,7 +95,7 @@ impl RaggedSearch {
         let got = by_region(plan, &smooth, &rough);
         let added = rough.values.iter().zip(&smooth.values).map(|(rough, smooth)| rough - smooth).collect();
         let added = Field::new(&smooth.grid(), added);
-        // The width of ragged stripes is that of smooth ones of the same area, which was measured.
+        // Ragged stripes have the width of smooth ones of equal area, which has been measured.
         let found = if plan.lookup.system.is_striped() {
             None
         } else {
@@ -113,7 +113,7 @@ fn radius(wanted: &Attributes) -> f64 {
         Attributes::Spots(spots) => (spots.area / std::f64::consts::PI).sqrt(),
         Attributes::Stripes(stripes) => {
             let period = stripes.wavelength.unwrap_or(2.0 * stripes.width);
-            // Of wide stripes the gaps say how far edges can move.
+            // The gaps of wide stripes limit how far edges can move.
             0.5 * stripes.width.min((period - stripes.width).max(0.3 * stripes.width))
         }
     }
@@ -129,7 +129,7 @@ fn finer(plan: &Plan) -> [usize; 2] {
     })
 }
 
-/// The raggedness of the layer: of spots the mean of the whole ones; of stripes (contour ÷ contour before)².
+/// The raggedness of the layer: for spots the mean of the whole ones; for stripes (contour ÷ contour before)².
 fn mean(plan: &Plan, smooth: &Field, rough: &Field) -> Option<f64> {
     let found: Vec<f64> = if plan.lookup.system.is_striped() {
         stripes(smooth, rough, Regions::ONE).into_iter().flatten().collect()
@@ -154,7 +154,7 @@ fn by_region(plan: &Plan, smooth: &Field, rough: &Field) -> Vec<Option<f64>> {
     sums.into_iter().map(|[count, sum]| (count > 0.0).then(|| sum / count)).collect()
 }
 
-/// (contour ÷ contour before)² by region: width is 2 × area ÷ contour, and the area is the same.
+/// (contour ÷ contour before)² by region: width is 2 × area ÷ contour, and the area does not change.
 fn stripes(smooth: &Field, rough: &Field, regions: Regions) -> Vec<Option<f64>> {
     let [before, after] = [smooth, rough].map(|field| widths(field, EDGE, regions));
     let ratio = |(before, after): (Option<f64>, Option<f64>)| Some((before? / after?).powi(2));

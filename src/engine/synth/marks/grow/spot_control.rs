@@ -1,7 +1,7 @@
 //! Pinned spots are moved back to their places while they form.
 //!
-//! Where they were drawn unevenly, spots push each other by a tenth of their radius to many radii until they settle. So the
-//! pinned ones are followed and moved back at short intervals, little at a time.
+//! Unevenly drawn spots push each other by a tenth of their radius to many radii until they settle. So the pinned ones are followed
+//! and moved back at short intervals, a little at a time.
 
 use crate::attributes::regions::RegionGrid;
 use crate::grid::{Field, Grid, PointBuckets};
@@ -11,23 +11,23 @@ use crate::synth::marks::grow::corrections::Corrections;
 use crate::synth::marks::plan::laid_out::Plan;
 use crate::synth::marks::plan::pinned_marks::{PinnedMark, displacement};
 
-/// Marks nearer to their places than this (÷ radius) are not moved.
+/// Marks closer to their places than this, in radii, are not moved.
 const NEAR: f64 = 0.02;
-/// A spot farther from where a mark was last seen than this (÷ radius) is another one.
+/// A spot farther than this, in radii, from where a mark was last seen is another spot.
 const OWN: f64 = 1.0;
-/// Spots are moved no farther at once than this, ÷ radius.
+/// The farthest that spots are moved at once, in radii.
 const STEP: f64 = 0.3;
-/// Where no spot was farther from its place than this (÷ radius), they are followed half as often. Not tuned.
+/// If no spot was farther than this from its place, in radii, spots are followed half as often. Not tuned.
 const CALM: f64 = 0.05;
 
-/// Where the pinned spots of a plan shall be, and where they are.
+/// The intended and the current places of the pinned spots of a plan.
 #[derive(Clone, Debug)]
 pub struct SpotControl {
     layout: RegionGrid,
     marks: Vec<Target>,
-    /// Smaller spots are specks, px².
+    /// Smaller spots than this are specks, px².
     least_area: f64,
-    /// How far the farthest was from its place when they were followed last, ÷ radius.
+    /// Distance of the farthest spot from its place when spots were followed last, in radii.
     farthest: f64,
 }
 
@@ -35,7 +35,7 @@ pub struct SpotControl {
 struct Target {
     /// The centre of the visible part of the spot, px.
     place: [f64; 2],
-    /// Where it was last seen, px.
+    /// Place where the spot was last found, px.
     seen: [f64; 2],
     radius: f64,
 }
@@ -54,7 +54,7 @@ impl SpotControl {
         (!marks.is_empty()).then_some(Self { layout, marks, least_area, farthest: f64::INFINITY })
     }
 
-    /// Whether they hardly move.
+    /// Whether the spots hardly move.
     #[must_use]
     pub fn is_calm(&self) -> bool {
         self.farthest < CALM
@@ -69,7 +69,7 @@ impl SpotControl {
         let cells = [0, 1].map(|axis| self.layout.size[axis] / maps.domain.size[axis] as f64);
         let mut by = vec![[0.0; 2]; centers.len()];
         let followed = self.follow(&centers);
-        // One that is not seen may be anywhere.
+        // A spot that is not seen may be anywhere.
         self.farthest = if followed.len() < self.marks.len() { f64::INFINITY } else { 0.0 };
         for (mark, spot) in followed {
             self.farthest = self.farthest.max(self.marks[mark].missed(&self.layout));
@@ -85,12 +85,12 @@ impl SpotControl {
         centers.iter().zip(&by).map(warp).collect()
     }
 
-    /// Takes the `lost` marks to be at their places again. Returns where they were last seen, cells of `grid`.
+    /// Assumes that the `lost` marks are at their places again. Returns where they were last seen, cells of `grid`.
     pub fn forget(&mut self, lost: &[usize], grid: &Grid) -> Vec<[f64; 2]> {
         let mut forgotten = Vec::new();
         self.farthest = f64::INFINITY;
         for index in lost {
-            // The spots behind the pinned ones are not followed.
+            // Spots after the pinned ones are not followed.
             if let Some(mark) = self.marks.get_mut(*index) {
                 forgotten.push(grid.to_cells(std::mem::replace(&mut mark.seen, mark.place)));
             }
@@ -98,8 +98,8 @@ impl SpotControl {
         forgotten
     }
 
-    /// Finds each mark among spots at these places, px: the one nearest to where it was last seen, if that is nearer to no
-    /// other mark. Returns pairs of mark and spot.
+    /// Finds each mark among spots at these places, px: the spot nearest to where the mark was last seen, unless that is nearer to
+    /// another mark. Returns pairs of mark and spot.
     fn follow(&mut self, centers: &[[f64; 2]]) -> Vec<(usize, usize)> {
         let length = |[x, y]: [f64; 2]| (x * x + y * y).sqrt();
         let places = PointBuckets::new(self.layout.bounds(), centers.to_vec());
@@ -125,13 +125,13 @@ impl SpotControl {
 }
 
 impl Target {
-    /// How far it is from its place, ÷ radius.
+    /// Distance of the spot from its place, in radii.
     fn missed(&self, layout: &RegionGrid) -> f64 {
         let displacement = displacement(self.place, self.seen, layout);
         (displacement[0] * displacement[0] + displacement[1] * displacement[1]).sqrt() / self.radius
     }
 
-    /// How far it is to be moved now, px, and is then taken to be.
+    /// The displacement by which it is moved now, px, and which is added to where it was seen.
     fn step(&mut self, layout: &RegionGrid) -> [f64; 2] {
         let displacement = displacement(self.place, self.seen, layout);
         let missed = self.missed(layout);

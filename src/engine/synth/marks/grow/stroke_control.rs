@@ -1,8 +1,8 @@
 //! Stripes along drawn strokes are moved back to them while they form.
 //!
-//! Stripes round a centre drift outwards or inwards, and where stripes join others are pushed aside. Each stroke is sampled; the nearest
-//! crest across it is moved back, little at a time. Where stripes are the gaps between lines, the crests are those of the
-//! lines on either side of the stroke.
+//! Stripes around a centre drift outwards or inwards, and where stripes join, others are pushed aside. Each stroke is sampled, and
+//! the nearest crest across it is moved back, a little at a time. Where stripes are the gaps between lines, the crests are those of
+//! the lines on either side of the stroke.
 
 use rayon::prelude::*;
 
@@ -18,30 +18,30 @@ use crate::synth::marks::plan::laid_out::Plan;
 const SAMPLES: f64 = 3.0;
 /// Points in a period at which a crest is searched across a stroke.
 const POINTS: i32 = 16;
-/// A crest farther away than so many points is that of another stripe.
+/// A crest farther away than this number of points belongs to another stripe.
 const FARTHEST: i32 = 7;
-/// A crest is at least as high, ÷ that of an undisturbed stripe.
+/// Least height of a crest, relative to that of an undisturbed stripe.
 const CREST: f32 = 0.3;
-/// Crests nearer than this (÷ period) are not moved.
+/// Crests closer than this, in periods, are not moved.
 const NEAR: f64 = 0.01;
-/// Crests are moved no farther at once than this, ÷ period.
+/// The farthest that crests are moved at once, in periods.
 const STEP: f64 = 0.08;
 
-/// Where the stripes along the strokes of a plan shall be.
+/// The intended places of the stripes along the strokes of a plan.
 #[derive(Clone, Debug)]
 pub struct StrokeControl {
     layout: RegionGrid,
     samples: Vec<Sample>,
 }
 
-/// A place at which a crest shall be.
+/// A place where a crest should be.
 #[derive(Clone, Copy, Debug)]
 struct Sample {
     /// The place on the drawn stroke, px.
     place: [f64; 2],
     /// Unit vector across the stroke.
     normal: [f64; 2],
-    /// Of the stripes there, px.
+    /// Period of the stripes there, px.
     period: f64,
 }
 
@@ -94,7 +94,7 @@ impl StrokeControl {
         if warps.iter().all(|warp| warp.by == [0.0; 2]) { Vec::new() } else { warps }
     }
 
-    /// A point on the canvas, px; `None` of one beyond a closed edge.
+    /// A point on the canvas, px; `None` for a point beyond a closed edge.
     fn inside(&self, point: [f64; 2]) -> Option<[f64; 2]> {
         let bounds = self.layout.bounds();
         match bounds.edges {
@@ -105,7 +105,7 @@ impl StrokeControl {
 }
 
 impl Sample {
-    /// How far the nearest crest is across the stroke, px; `None` where there is none.
+    /// Distance of the nearest crest across the stroke, px; `None` if there is none.
     fn crest(&self, surface: &Spline) -> Option<f64> {
         let step = self.period / f64::from(POINTS);
         let height = |point: i32| {
@@ -118,7 +118,7 @@ impl Sample {
             if here < CREST || here < before || here <= after {
                 return None;
             }
-            // The top of the parabola through the three.
+            // The vertex of the parabola through the three values.
             let top = 0.5 * f64::from(before - after) / f64::from(before - 2.0 * here + after);
             Some((index as f64 - f64::from(FARTHEST) + top) * step)
         };

@@ -1,5 +1,5 @@
-//! Answers of the training sets to the questions of one layer. Many questions are the same: an answer takes 0.1 ms, and is
-//! remembered.
+//! Answers of the training sets to the questions of one layer. An answer takes 0.1 ms, and many questions are repeated, so answers
+//! are cached.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -12,9 +12,9 @@ use crate::synth::marks::plan::asked::Asked;
 use crate::synth::marks::plan::cell_size::exact_cell;
 use crate::synth::training::Training;
 
-/// Spots that are sparser than what can be reached by less than this share count as reached.
+/// Spots that are sparser than the reachable ones by less than this share count as reached.
 const TOLERANCE: f64 = 0.02;
-/// From this pitch on spots on a canvas with sparse ones stand alone, at the level of single spots.
+/// From this pitch on, spots on a canvas with sparse ones are isolated, with the threshold of single spots.
 const ALONE: f64 = 1.7;
 
 /// The kind and the numbers of a question, as bits.
@@ -23,33 +23,33 @@ type Question = (System, [u64; 5]);
 /// The answers so far.
 pub struct Answers<'a> {
     training: &'a Training,
-    /// Whether some spots of the layer stand alone: others do, too, where they have the room. Otherwise the parameters between dense and
-    /// sparse regions would be those of the sparsest packed spots, which take twenty times the steps.
+    /// Whether some spots of the layer are isolated: others that have room are then isolated, too. Otherwise the parameters between
+    /// dense and sparse regions would be those of the sparsest packed spots, which take twenty times the steps.
     among_sparse: bool,
     known: Mutex<HashMap<Question, Arc<Found>>>,
 }
 
 impl<'a> Answers<'a> {
-    /// None yet.
+    /// A cache without answers.
     #[must_use]
     pub fn new(training: &'a Training) -> Self {
         Self { training, among_sparse: false, known: Mutex::default() }
     }
 
-    /// The answers of a layer some spots of which stand alone, if they do.
+    /// These answers, for a layer that has isolated spots if `among_sparse`.
     #[must_use]
     pub fn among_sparse(self, among_sparse: bool) -> Self {
         Self { among_sparse, ..self }
     }
 
-    /// How many different questions were asked.
+    /// Number of different questions so far.
     #[cfg(test)]
     pub fn count(&self) -> usize {
         self.known.lock().unwrap_or_else(PoisonError::into_inner).len()
     }
 
-    /// Looks up attributes (px) for a grid of `cell` px a cell. Spots sparser than any that their system packs by itself begin farther
-    /// apart, if they can.
+    /// A function that looks up attributes (px) for a grid with the given number of px a cell. Spots sparser than those that their
+    /// system packs by itself begin farther apart if the system allows it.
     ///
     /// # Errors
     /// The training set cannot be read, or does not take such attributes.
@@ -73,8 +73,8 @@ impl<'a> Answers<'a> {
         Ok(Asked::new(set, found, [exact, cell]))
     }
 
-    /// Looks up spots at given places: as spots that stand alone where these are far enough apart. `room` is the share of
-    /// the spacing, 0..1, that is left to them in the direction in which the places suit their shape least.
+    /// Looks up spots at given places: as isolated spots if the places are far enough apart. `room` is the share of the spacing,
+    /// 0..1, that is left to them in the direction in which the places suit their shape least.
     ///
     /// # Errors
     /// The training set cannot be read, or does not take such attributes.
@@ -96,17 +96,17 @@ impl<'a> Answers<'a> {
     }
 }
 
-/// Looks up attributes (px) for a grid of so many px a cell.
+/// A function that looks up attributes (px) for a grid with the given number of px a cell.
 pub(super) type Ask<'f, 'a> = &'f (dyn Fn(&Attributes, f64) -> Result<Asked<'a>, PlanError> + Sync + 'f);
 
-/// What answers attributes in cells, on a grid where the size of the marks makes no difference.
+/// The answer to attributes in cells, on a grid that is fine enough that the size of the marks does not matter.
 fn ask_in_cells(set: &TrainingSet, asked: &InCells<Attributes>) -> Result<Found, PlanError> {
     let found = set.ask(asked)?;
     let apart = if is_sparser(asked, &found.nearest) { set.ask_apart(asked, 1.0)? } else { None };
     Ok(apart.unwrap_or(found))
 }
 
-/// Whether what is asked is sparser than what is reached.
+/// Whether the question is sparser than the reached attributes.
 fn is_sparser(InCells(asked): &InCells<Attributes>, InCells(reached): &InCells<Attributes>) -> bool {
     let packing = |attributes: &Attributes| match attributes {
         Attributes::Spots(Spots { area, spacing: Some(spacing), .. }) => Some(area / (spacing * spacing)),
@@ -115,7 +115,7 @@ fn is_sparser(InCells(asked): &InCells<Attributes>, InCells(reached): &InCells<A
     packing(asked).zip(packing(reached)).is_some_and(|(asked, reached)| asked < (1.0 - TOLERANCE) * reached)
 }
 
-/// The numbers of a question as bits; those that it leaves free have bits of their own.
+/// The numbers of a question as bits; free attributes have special bits.
 fn bits(InCells(asked): &InCells<Attributes>) -> [u64; 5] {
     let free = |length: Option<f64>| length.map_or(u64::MAX, f64::to_bits);
     match *asked {

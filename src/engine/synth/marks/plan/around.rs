@@ -1,18 +1,18 @@
 //! `after: "around"` and `after: "net"`: lines around the marks beneath, or one web of lines between them.
 //!
-//! The lines begin along curves that are computed once the layers beneath have grown. Only the width of the lines is
-//! drawn; their rate follows from it by one law, and the correction of the level removes the last per cents.
+//! The lines begin along curves that are computed once the layers beneath have grown. Only the width of the lines is drawn. Their
+//! rate follows from it by one law, and the correction of the threshold removes the last per cents.
 
 use crate::attributes::{AttributeMap, Attributes, Polarity, Spots, Stripes};
 use crate::document::After;
 use crate::learn::{self, Answer, Coverage};
-use crate::rd::System;
+use crate::rd::{LinesAlongCurves, System};
 use crate::synth::error::PlanError;
 use crate::synth::marks::plan::asked::Asked;
 use crate::synth::marks::plan::layer_lookup::{Lookup, Start};
 use crate::synth::marks::plan::offset_curves::CurveKind;
 
-/// The curves along which the lines of a layer run; `None` where they follow no curves.
+/// The curves along which the lines of a layer run; `None` if they do not follow curves.
 #[must_use]
 pub fn curve_kind(after: After) -> Option<CurveKind> {
     match after {
@@ -28,31 +28,36 @@ pub(super) fn look_up(kind: CurveKind, broken: f64, map: AttributeMap) -> Result
         .into_iter()
         .find_map(|system| Some((system, system.definition().along_curves?)))
         .expect("a system grows along curves");
-    let law = kind.law(&laws);
-    let asked = |wanted: &Attributes, cell: f64| {
-        let width = match wanted {
-            Attributes::Stripes(stripes) => stripes.width,
-            Attributes::Spots(spots) => spots.area.sqrt(),
-        };
-        let root = law.root_rate * cell / width;
-        Ok(Asked::Law(Box::new(Answer {
-            parameters: learn::Parameters {
-                rate: root * root,
-                ratio: Some(laws.ratio),
-                stretch: law.stretch,
-                direction: 0.0,
-                level: Some(0.5),
-            },
-            predicted: *wanted,
-            interval: Vec::new(),
-            coverage: Coverage::Inside,
-            nearest: *wanted,
-            notes: Vec::new(),
-            pitch: 1.0,
-        })))
-    };
+    let asked = |wanted: &Attributes, cell: f64| Ok(Asked::Law(Box::new(law(kind, &laws, wanted, cell))));
     let start = Start::Curves { kind, laws, broken };
     Lookup::new((system, Polarity::Positive), map, start, &asked)
+}
+
+/// What grows lines of this width along curves, on cells of `cell` px.
+#[must_use]
+pub fn law(kind: CurveKind, laws: &LinesAlongCurves, wanted: &Attributes, cell: f64) -> Answer {
+    let law = kind.law(laws);
+    let width = match wanted {
+        Attributes::Stripes(stripes) => stripes.width,
+        Attributes::Spots(spots) => spots.area.sqrt(),
+    };
+    let root = law.root_rate * cell / width;
+    let parameters = learn::Parameters {
+        rate: root * root,
+        ratio: Some(laws.ratio),
+        stretch: law.stretch,
+        direction: 0.0,
+        level: Some(0.5),
+    };
+    Answer {
+        parameters,
+        predicted: *wanted,
+        interval: Vec::new(),
+        coverage: Coverage::Inside,
+        nearest: *wanted,
+        notes: Vec::new(),
+        pitch: 1.0,
+    }
 }
 
 /// (Mean spacing of the spots − their diameter) ÷ the distance that lines between them need. Below the first value most
@@ -60,8 +65,8 @@ pub(super) fn look_up(kind: CurveKind, broken: f64, map: AttributeMap) -> Result
 const TIGHT: [f64; 2] = [1.1, 1.5];
 
 impl Lookup {
-    /// A warning that there will be little room between the marks of the layer looked up `beneath`, before anything has
-    /// grown; `None` where there is enough.
+    /// A warning, before anything has grown, that there will be little room between the marks of the layer looked up `beneath`;
+    /// `None` if there is enough.
     #[must_use]
     pub fn expected_room(&self, beneath: &Self) -> Option<String> {
         let kind = self.curve_kind().filter(|_| beneath.curve_kind().is_none())?;

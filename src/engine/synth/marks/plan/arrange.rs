@@ -1,4 +1,4 @@
-//! Third stage → last stage: where the marks of a layer begin among those of the layers beneath.
+//! Transition from the third to the last stage of a plan: the starting places of the marks of a layer among the marks beneath.
 
 use crate::grid::Domain;
 use crate::marks::Path;
@@ -16,7 +16,7 @@ use crate::synth::marks::plan::offset_curves::{CurveKind, CurveRequest, Curves, 
 use crate::synth::marks::plan::pinned_marks::pin_spots;
 use crate::synth::training::Training;
 
-/// What has grown beneath a layer.
+/// The grown surroundings of a layer.
 #[derive(Clone, Debug, Default)]
 pub struct Surroundings<'a> {
     /// Cells of the layer's grid that marks beneath have taken; empty = none.
@@ -26,7 +26,7 @@ pub struct Surroundings<'a> {
 }
 
 impl Corrected {
-    /// Decides where the marks begin; `seed` decides where open rings have their gaps.
+    /// Determines where the marks begin; `seed` determines where open rings have their gaps.
     ///
     /// # Errors
     /// The marks beneath leave no room, or lines find no marks to run around.
@@ -58,8 +58,8 @@ impl Corrected {
 }
 
 impl Lookup {
-    /// A rough plan, for estimates and previews: nothing is corrected, and marks begin where the system puts them beside
-    /// the `obstacles`.
+    /// A rough plan for estimates and previews: nothing is corrected, and marks begin where the system puts them between the
+    /// `obstacles`.
     #[must_use]
     pub fn rough(self, obstacles: Vec<bool>) -> Plan {
         let Corrected { lookup, corrections } = self.uncorrected();
@@ -69,7 +69,7 @@ impl Lookup {
 }
 
 impl Plan {
-    /// A plan with `found` subtracted from its questions: by how much what has grown was off, by region.
+    /// A plan with the error `found` in each region subtracted from its question.
     ///
     /// # Errors
     /// The training set cannot be read.
@@ -84,7 +84,7 @@ impl Plan {
     }
 }
 
-/// Arranges a layer whose drawn marks stay where they were drawn, as far as they find room.
+/// Arranges a layer whose drawn marks stay where they were drawn, if they find room.
 fn arrange_pinned(lookup: &Lookup, obstacles: &[bool], spots: &[DrawnSpot], lines: &[Path]) -> Arrangement {
     if !spots.is_empty() {
         let (spots, left_out) = pin_spots(lookup, obstacles, spots);

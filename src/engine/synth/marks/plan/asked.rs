@@ -1,11 +1,11 @@
-//! What answers a question about attributes in px, on a grid.
+//! Answers to questions about attributes in px, on a grid.
 
 use std::sync::Arc;
 
 use crate::learn::{Answer, Coverage, Found, Note, Parameters, TrainingSet};
 use crate::synth::marks::plan::setting::Setting;
 
-/// What answers a question. What it is predicted to grow is computed where it is asked for.
+/// The answer to a question. The predicted attributes are computed only on request.
 #[derive(Clone)]
 pub enum Asked<'a> {
     /// A training set answers.
@@ -19,14 +19,14 @@ pub enum Asked<'a> {
 pub struct Learnt<'a> {
     set: &'a TrainingSet,
     found: Arc<Found>,
-    /// px a cell of the grid that was asked about: one on which the size of the marks makes no difference.
+    /// px a cell of the grid of the question: so fine that the size of the marks does not matter.
     exact: f64,
     /// px a cell of the grid that the parameters are for.
     cell: f64,
 }
 
 impl<'a> Asked<'a> {
-    /// What `set` has `found` for a grid of `exact` px a cell, where one of `cell` px a cell is wanted.
+    /// The answer that `set` has `found` for a grid of `exact` px a cell, converted to one of `cell` px a cell.
     pub(super) fn new(set: &'a TrainingSet, found: Arc<Found>, [exact, cell]: [f64; 2]) -> Self {
         Self::Learnt(Learnt { set, found, exact, cell })
     }
@@ -43,7 +43,7 @@ impl<'a> Asked<'a> {
         }
     }
 
-    /// Spacing of the spots ÷ the spacing that the system gives them by itself; 1 = its own.
+    /// Spacing of the spots ÷ the system's own spacing.
     #[must_use]
     pub fn pitch(&self) -> f64 {
         match self {
@@ -52,7 +52,7 @@ impl<'a> Asked<'a> {
         }
     }
 
-    /// The parameters, and how far apart marks begin.
+    /// The parameters, and the pitch at which marks begin.
     #[must_use]
     pub fn setting(&self) -> Setting {
         Setting { parameters: self.parameters(), pitch: self.pitch() }
@@ -76,7 +76,7 @@ impl<'a> Asked<'a> {
         }
     }
 
-    /// The answer, with what is predicted to grow; lengths are px, parameters those of the grid.
+    /// The answer with the predicted attributes; lengths are px, parameters those of the grid.
     #[must_use]
     pub fn predict(&self) -> Answer {
         match self {

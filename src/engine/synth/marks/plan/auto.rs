@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use crate::attributes::{AttributeMap, Attributes, Polarity};
+use crate::document::SystemChoice;
 use crate::rd::System;
 use crate::synth::error::PlanError;
 use crate::synth::marks::plan::answers::Answers;
@@ -10,15 +11,15 @@ use crate::synth::marks::plan::free_spacing;
 use crate::synth::marks::plan::layer_grid::{finest_cell, grid_of};
 use crate::synth::training::Training;
 
-/// Spots count as reached where area, spacing and aspect together differ by less than this.
+/// Spots count as reached if the sum of the errors of ln area, ln spacing and aspect is below this.
 const MET: f64 = 0.05;
 
-/// Regions that are asked about at once.
+/// Regions that are looked up together.
 const AT_ONCE: usize = 64;
 
-/// Lines take a system of stripes; those with a wavelength take one with any wavelength. Ellipses take a system of spots with
-/// any spacing, unless it misses what is asked and another one reaches it. What is asked is what is needed once the system is
-/// chosen: on the grid on which it grows.
+/// Lines get a system of stripes; if a wavelength is given, one that grows any wavelength. Ellipses get a system of spots with any
+/// spacing, unless it cannot reach the attributes and another one can. The attributes are looked up on the grid on which that
+/// system would grow, so that these answers are used again once the system is chosen.
 pub(super) fn choose_system(
     answers: &Answers,
     training: &Training,
@@ -33,9 +34,8 @@ pub(super) fn choose_system(
         let spots = match &mut wanted {
             Attributes::Spots(spots) => spots,
             Attributes::Stripes(stripes) => {
-                let free = stripes.wavelength.is_some();
-                let fitting = System::first(|system| system.is_striped() && system.free_spacing == free);
-                return Ok(fitting.unwrap_or(preferred));
+                let has_duty = stripes.wavelength.is_some();
+                return Ok(SystemChoice::system_of_stripes(has_duty).unwrap_or(preferred));
             }
         };
         if spots.spacing.is_none() {
@@ -52,7 +52,7 @@ pub(super) fn choose_system(
     Ok(preferred)
 }
 
-/// Whether `system` reaches `all` these spots, on a grid of `cell` px a cell. Where it misses some, those after them are not asked.
+/// Whether `system` reaches `all` spots, on a grid of `cell` px a cell. After the first miss the others are not looked up.
 fn reaches(answers: &Answers, system: System, cell: f64, all: &[Attributes]) -> Result<bool, PlanError> {
     let meets = |wanted: &Attributes| {
         let asked = answers.ask(system, wanted, cell)?;
@@ -66,7 +66,7 @@ fn reaches(answers: &Answers, system: System, cell: f64, all: &[Attributes]) -> 
     Ok(true)
 }
 
-/// How far two sets of spots differ: |Δ ln area| + |Δ ln spacing| + |Δ aspect|.
+/// Distance of two sets of spots: |Δ ln area| + |Δ ln spacing| + |Δ aspect|.
 fn distance(a: &Attributes, b: &Attributes) -> f64 {
     let (Attributes::Spots(a), Attributes::Spots(b)) = (a, b) else { return f64::INFINITY };
     let ln = |x: f64, y: f64| libm::log(x / y).abs();
@@ -81,8 +81,8 @@ mod tests {
     use crate::marks::{Ellipse, Mark};
 
     #[test]
-    fn what_is_asked_to_choose_a_system_is_what_is_needed_to_grow_it() {
-        // Three sizes, so that the grid is finer than suits two of them.
+    fn the_answers_for_choosing_a_system_are_used_again_for_growing_it() {
+        // Three sizes, so that the grid is finer than two of them need.
         let marks: Vec<Mark> = (0..3)
             .flat_map(|region| {
                 let area = 60.0 + 30.0 * f64::from(region);

@@ -1,4 +1,4 @@
-//! Last stage of a plan: where its marks begin, one by one or by their distance. Nothing of it changes while the layer grows.
+//! The last stage of a plan: where its marks begin, one by one or by their distance. It does not change while the layer grows.
 
 use crate::synth::marks::plan::laid_out::Plan;
 use crate::synth::marks::plan::spacing_correction::pitches;
@@ -9,21 +9,22 @@ use crate::synth::marks::plan::spread::{VariedSpots, vary};
 pub struct Begun {
     /// Parameters, obstacles, and how marks are arranged.
     pub plan: Plan,
-    /// Where marks begin.
+    /// Starting places of the marks.
     pub nuclei: Nuclei,
 }
 
-/// Where the marks of a layer begin.
+/// Starting places of the marks of a layer.
 #[derive(Clone, Debug)]
 pub enum Nuclei {
     /// At the places of spots with parameters of their own.
     Spots(VariedSpots),
-    /// Where the system puts them, or at the given places of the plan: so many times as far apart as the system's own distance, by region.
+    /// At places chosen by the system, or at the given places of the plan. The factors of the system's own distance, by region.
     Apart(Vec<f64>),
 }
 
 impl Plan {
-    /// Lays the nuclei of its marks: as far apart, and as different, as they end as asked. `seed` decides where.
+    /// Lays the nuclei of its marks, so that the distances and the spread of the grown marks are those asked for. `seed` determines
+    /// the places.
     #[must_use]
     pub fn begin(self, seed: u64) -> Begun {
         let nuclei = match vary(&self, seed) {

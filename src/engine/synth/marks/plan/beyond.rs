@@ -1,4 +1,4 @@
-//! What the maps of a layer ask for that its system cannot grow.
+//! Values of the maps of a layer that its system cannot grow.
 
 use rayon::prelude::*;
 
@@ -7,10 +7,10 @@ use crate::synth::error::PlanError;
 use crate::synth::marks::plan::layer_lookup::{Lookup, notes_of_marks};
 use crate::synth::training::Training;
 
-/// Places along the longer side where what the maps ask for is looked up for [`beyond`].
+/// Number of places along the longer side at which the values of the maps are looked up for [`beyond`].
 const ASKED: usize = 16;
 
-/// What is said of each region where the maps ask for what cannot be grown, and the nearest grows instead.
+/// A note for each region where the maps ask for values that cannot be grown, so that the nearest ones are grown.
 pub(super) fn beyond(lookup: &Lookup, training: &Training) -> Result<Vec<Option<String>>, PlanError> {
     let layout = lookup.map.layout();
     let places = nodes(layout.edges, layout.size, ASKED);

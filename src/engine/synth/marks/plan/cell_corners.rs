@@ -8,9 +8,9 @@ pub type Between = (usize, usize, f64);
 
 /// The nodes of a layout between which the cells of a grid lie.
 pub struct CellCorners {
-    /// By column of the grid.
+    /// Positions between corners, by column of the grid.
     across: Vec<Between>,
-    /// By row of the grid.
+    /// Positions between corners, by row of the grid.
     down: Vec<Between>,
     /// Nodes in a row of the layout.
     columns: usize,
@@ -40,7 +40,7 @@ impl CellCorners {
         self.columns
     }
 
-    /// Of each column of the grid the two columns of nodes between which it lies, and the share of the second.
+    /// For each column of the grid, the two columns of nodes between which it lies, and the share of the second.
     #[must_use]
     pub fn across(&self) -> &[Between] {
         &self.across
@@ -51,7 +51,7 @@ impl CellCorners {
 pub struct CellValues<'a> {
     corners: CellCorners,
     values: &'a [f64],
-    /// The value of all regions, where it is the same.
+    /// The value of all regions, if it is constant.
     even: Option<f64>,
 }
 

@@ -10,7 +10,7 @@ use crate::synth::marks::plan::lattice::{Lattice, Node};
 /// Cells that are computed side by side. Not tuned.
 const TOGETHER: usize = 64;
 
-/// How many values are interpolated between nodes.
+/// Number of values that are interpolated between nodes.
 const FIELDS: usize = 5;
 
 /// The cells of a grid between the nodes of a lattice over the same canvas.
@@ -60,12 +60,12 @@ impl<'a> CellParameters<'a> {
     }
 }
 
-/// The node with these values; nothing here depends on its level.
+/// The node with these values; its threshold is not used here.
 fn node([ln_rate, ln_ratio, c, s, ln_pitch]: [f64; FIELDS]) -> Node {
     Node { ln_rate, ln_ratio, shape: [c, s], ln_pitch, level: 0.0 }
 }
 
-/// The reverse of [`node`].
+/// The inverse of [`node`].
 fn fields(node: &Node) -> [f64; FIELDS] {
     [node.ln_rate, node.ln_ratio, node.shape[0], node.shape[1], node.ln_pitch]
 }

@@ -1,4 +1,4 @@
-//! Third stage of a plan: its questions corrected by what probes have found.
+//! The third stage of a plan: its questions, corrected by the results of probes.
 
 use crate::marks::Ellipse;
 use crate::synth::error::PlanError;
@@ -12,12 +12,12 @@ use crate::synth::training::Training;
 #[derive(Clone, Debug)]
 pub struct Corrected {
     pub(super) lookup: Lookup,
-    /// By region.
+    /// Corrections by region.
     pub(super) corrections: Vec<Correction>,
 }
 
 impl Lookup {
-    /// The parameters as they were looked up.
+    /// The lookup without corrections.
     #[must_use]
     pub fn uncorrected(self) -> Corrected {
         let corrections = vec![Correction::default(); self.answers.len()];
@@ -42,7 +42,7 @@ impl Lookup {
 }
 
 impl Corrected {
-    /// These corrections with `found` subtracted, too: by how much what has grown was off, by region.
+    /// These corrections with the errors `found` in each region subtracted, too.
     ///
     /// # Errors
     /// The training set cannot be read.

@@ -25,8 +25,8 @@ impl Lookup {
         Ok(Self { start: Start::Free { spots, lines }, ..self })
     }
 
-    /// Looks up drawn spots one by one; `offset` is subtracted from the questions. Those that stand too near to others to grow
-    /// take no room from them.
+    /// Looks up drawn spots one by one; `offset` is subtracted from the questions. Spots that are too near to others to grow take
+    /// no room from them.
     pub(super) fn drawn_spots(
         &self,
         training: &Training,

@@ -23,10 +23,10 @@ pub struct DrawnSpot {
     pub own: Node,
 }
 
-/// The largest area ÷ spacing² for which spots are looked up: denser ones merge.
+/// The largest area ÷ spacing² with which spots are looked up: denser ones merge.
 const DENSEST: f64 = 0.3;
-/// Distance to the nearest drawn neighbour × this is the spacing that a spot is looked up with, where that is less than the
-/// spacing of its surroundings: the other neighbours stand farther off.
+/// Distance to the nearest drawn neighbour × this factor is the spacing with which a spot is looked up, if that is less than the
+/// spacing of its surroundings: the other neighbours are farther away.
 const NEAREST: f64 = 1.2;
 
 /// The surroundings of drawn spots, by which they are looked up.
@@ -37,7 +37,7 @@ pub(super) struct Around<'a> {
     pub cell: f64,
     /// The spots wanted at a point, px.
     pub wanted: &'a dyn Fn([f64; 2]) -> Spots,
-    /// What is subtracted from the questions at a point, px.
+    /// The offset that is subtracted from the questions at a point, px.
     pub offset: &'a dyn Fn([f64; 2]) -> Offset,
 }
 
@@ -58,7 +58,7 @@ pub(super) fn drawn_spots(
     ellipses.iter().map(drawn).collect()
 }
 
-/// What is asked for a drawn spot among spots as `around`: as dense as these, or as its `room`, px, demands.
+/// The attributes of a drawn spot among spots like `around`: with their density, or with the one that follows from its `room`, px.
 fn own_attributes(around: Spots, ellipse: &Ellipse, room: f64) -> Spots {
     let area = ellipse.area();
     let usual = around.spacing.map_or(f64::INFINITY, |spacing| spacing * (area / around.area).sqrt());
@@ -91,10 +91,11 @@ impl<'a> Standing<'a> {
         Self { spots, centers, largest }
     }
 
-    /// The distance of the spot of a `mark` to the nearest other one, px, as it would be if that had the spot's own size;
-    /// infinite without any.
+    /// The distance of the spot of a `mark` to the nearest other spot, px, converted as if both had this spot's size; infinite
+    /// without any.
     ///
-    /// It is measured where the spot is round: along a long spot, whose tensor spreads faster that way, others are nearer.
+    /// It is measured in the metric in which the spot is round: neighbours in the direction of a long spot, in which its tensor
+    /// spreads faster, count as nearer.
     fn room(&self, mark: usize, ellipse: &Ellipse) -> f64 {
         let own = radius(ellipse);
         let distance = |index: usize| {
@@ -113,7 +114,7 @@ impl<'a> Standing<'a> {
             let near = self.centers.within(ellipse.center, reach).into_iter().map(|index| index as usize);
             near.filter(|index| is_other(*index)).map(distance).fold(f64::INFINITY, f64::min)
         };
-        // One is found here; none that is nearer by that measure is farther off than this.
+        // This search finds a spot; a spot that is nearer by that measure cannot be farther away than this.
         let found = nearest_within(square.sqrt());
         let longest = ellipse.radii[0].max(ellipse.radii[1]);
         nearest_within(found * longest / own * (own + self.largest) / (2.0 * own))

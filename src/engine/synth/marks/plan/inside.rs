@@ -1,8 +1,8 @@
-//! `after: "inside"`: a smaller mark at each place of the layer beneath, which itself is not shown.
+//! `after: "inside"`: a smaller mark at the place of each mark of the layer beneath, which itself is not shown.
 //!
-//! The ground of Meinhardt's system is inert: spots stand where they began and nowhere else (`facts.md` G). So the
-//! new marks begin at the centroids of those beneath, with parameters for their own area, aspect and angle at the spacing of
-//! the layer beneath. Its marks are no obstacles for them.
+//! The ground of Meinhardt's system is inert: spots remain where they began, and none appears elsewhere (`facts.md` G). So the new
+//! marks begin at the centroids of those beneath, with parameters for their own area, aspect and angle at the spacing of the layer
+//! beneath. The marks of that layer are no obstacles for them.
 
 use crate::attributes::regions::RegionGrid;
 use crate::attributes::{AttributeMap, Attributes, Polarity, Spots};
@@ -14,8 +14,8 @@ use crate::synth::marks::plan::answers::Answers;
 use crate::synth::marks::plan::layer_lookup::{Lookup, Start};
 use crate::synth::training::Training;
 
-/// The problem that the marks of layer `index`, which make `map`, are no smaller than those looked up `beneath`; `None`
-/// where they are.
+/// The problem that the marks of layer `index`, with the attributes of `map`, are no smaller than those looked up `beneath`; `None`
+/// if they are smaller.
 pub(super) fn too_large(index: usize, map: &AttributeMap, beneath: &Lookup) -> Option<Problem> {
     let layout = map.layout();
     map.regions().find_map(|(place, _)| {
@@ -55,22 +55,22 @@ pub(super) fn look_up(
     Lookup::new((system, Polarity::Positive), map, Start::Inside, &asked)
 }
 
-/// The share of the mean distance that is left to spots in the direction in which their own shape suits the places of
-/// those `beneath` least: spots stand the nearer across their direction, the longer they are.
+/// The share of the mean distance that is left to spots in the direction in which their own shape suits the places of the spots
+/// `beneath` least: the longer those are, the closer they lie across their direction.
 ///
 /// Its square is the least eigenvalue of O B⁻¹, where O and B are the shapes' metrics of determinant 1.
 fn room(own: &Attributes, beneath: &Attributes) -> f64 {
     let (Attributes::Spots(own), Attributes::Spots(beneath)) = (own, beneath) else { return 1.0 };
-    // Metrics of eigenvalues e^±l and e^±m, turned by Δ against each other: half the trace of O B⁻¹ is
-    // cosh l cosh m − sinh l sinh m cos 2Δ.
+    // For metrics of eigenvalues e^±l and e^±m, rotated by Δ against each other, half the trace of O B⁻¹ is cosh l cosh m − sinh l
+    // sinh m cos 2Δ.
     let [l, m] = [own, beneath].map(|spots| libm::log(spots.aspect));
     let turned = libm::cos((2.0 * (own.angle - beneath.angle)).to_radians());
     let half = libm::cosh(l) * libm::cosh(m) - libm::sinh(l) * libm::sinh(m) * turned;
     (half - (half * half - 1.0).max(0.0).sqrt()).max(0.0).sqrt()
 }
 
-/// Places where the marks begin, px: the centres of the `spots` beneath. At closed edges no spot stands near the wall but
-/// on it; those that would are moved.
+/// Places where the marks begin, px: the centres of the `spots` beneath. At closed edges a spot cannot be near the wall, only on
+/// it; spots that would be near are moved.
 pub(super) fn places_inside(lookup: &Lookup, spots: &[Spot]) -> Vec<[f64; 2]> {
     let centers: Vec<[f64; 2]> =
         spots.iter().filter(|spot| !spot.endless).map(|spot| spot.ellipse.center).collect();
@@ -80,8 +80,8 @@ pub(super) fn places_inside(lookup: &Lookup, spots: &[Spot]) -> Vec<[f64; 2]> {
     lookup.all_to_px(&places)
 }
 
-/// Remarks by region on marks that began at the given places: whose places these are, and how many got no mark of their
-/// own. `grown` are the marks that stand there now, `beneath` is the name of the layer whose places they are.
+/// Remarks by region on marks that began at the given places: the layer with these places, and the number of places without a mark.
+/// `grown` are the marks now, `beneath` is the name of that layer.
 #[must_use]
 pub fn remarks(layout: &RegionGrid, places: &[[f64; 2]], grown: &[Spot], beneath: &str) -> Vec<Vec<String>> {
     let mut counts = vec![[0usize; 2]; layout.len()];
@@ -90,7 +90,7 @@ pub fn remarks(layout: &RegionGrid, places: &[[f64; 2]], grown: &[Spot], beneath
     for (kind, point) in places_and_marks {
         counts[layout.index(layout.region_of(point))][kind] += 1;
     }
-    // Where none is missing on the whole canvas, a mark may still have moved over the border of its region.
+    // If none is missing on the whole canvas, a mark may have moved over the border of its region.
     let missing = grown.len() < places.len();
     let of_region = |[given, got]: [usize; 2]| {
         let mut remarks = vec![format!(

@@ -1,4 +1,4 @@
-//! Fourth stage of a plan: laid out among the layers beneath.
+//! The fourth stage of a plan: the layer is laid out among the layers beneath.
 
 use crate::attributes::{Attributes, Stripes};
 use crate::grid::{Domain, Field};
@@ -10,7 +10,7 @@ use crate::synth::marks::plan::offset::Correction;
 use crate::synth::marks::plan::offset_curves::{Curves, line_widths};
 use crate::synth::marks::plan::pinned_marks::{LeftOut, PinnedMark};
 
-/// Heights above this belong to the ground round marks of the layers beneath: it ends 1.5 widths of a line from them.
+/// Heights above this belong to the ground around marks of the layers beneath, which ends 1.5 line widths from them.
 const RIM: f32 = 0.2;
 
 /// A layer that is laid out among those beneath.
@@ -18,31 +18,32 @@ const RIM: f32 = 0.2;
 pub struct Plan {
     /// The parameters of every place, corrected.
     pub lookup: Lookup,
-    /// What probes found about them, by region.
+    /// Corrections found by probes, by region.
     pub corrections: Vec<Correction>,
     /// Cells that the marks of the layers beneath have taken; empty = none.
     pub obstacles: Vec<bool>,
-    /// Heights of the ground round the obstacles, see [`ground_rim`](crate::synth::marks::plan::obstacle_mask::ground_rim); empty = none.
+    /// Heights of the ground around the obstacles, see [`ground_rim`](crate::synth::marks::plan::obstacle_mask::ground_rim); empty
+    /// = none.
     pub rim: Vec<f32>,
-    /// Where its marks begin.
+    /// Starting places of its marks.
     pub arrangement: Arrangement,
 }
 
-/// Where the marks of a layer begin.
+/// Starting places of the marks of a layer.
 #[derive(Clone, Debug)]
 pub enum Arrangement {
-    /// Where the system puts them.
+    /// At places chosen by the system.
     Natural,
-    /// Some spots where they were drawn, the others where the system puts them around these.
+    /// Some spots where they were drawn, and around them others at places chosen by the system.
     PinnedSpots {
         /// Drawn spots that find room.
         spots: Vec<PinnedMark>,
         /// Drawn spots that find no room.
         left_out: Vec<LeftOut>,
     },
-    /// Stripes along drawn lines and paths, px, and where the system puts them between these.
+    /// Stripes along drawn lines and paths, px, and between them others at places chosen by the system.
     PinnedLines(Vec<Path>),
-    /// One spot at each of these places, px, and nowhere else.
+    /// One spot at each of these places, px, and none elsewhere.
     Inside(Vec<[f64; 2]>),
     /// Lines along these curves.
     Curves(Curves),
@@ -67,20 +68,19 @@ impl Plan {
         if let Arrangement::PinnedLines(lines) = &self.arrangement { lines } else { &[] }
     }
 
-    /// The places of its spots, px, where these are given.
+    /// The places of its spots, px, if they are given.
     #[must_use]
     pub fn places(&self) -> Option<&[[f64; 2]]> {
         if let Arrangement::Inside(places) = &self.arrangement { Some(places) } else { None }
     }
 
-    /// The curves of its lines, where they run along some.
+    /// The curves of its lines, if they run along curves.
     #[must_use]
     pub fn curves(&self) -> Option<&Curves> {
         if let Arrangement::Curves(curves) = &self.arrangement { Some(curves) } else { None }
     }
 
-    /// Parameters of every cell. `pitch` is how many times farther apart than the system's own distance marks begin, by
-    /// region.
+    /// Parameters of every cell. `pitch` is the distance at which marks begin ÷ the system's own distance, by region.
     #[must_use]
     pub fn maps(&self, pitch: &[f64]) -> ParameterField {
         let maps = self.lookup.maps(pitch, &self.obstacles);
@@ -105,7 +105,7 @@ impl Plan {
         self.obstacles.get(grid.cell_at(grid.to_cells(point))).copied().unwrap_or(false)
     }
 
-    /// The lines that grow at a place, px: the stripes, or the gaps between them. `None` of spots.
+    /// The lines that grow at a place, px: the stripes, or the gaps between them. `None` for spots.
     #[must_use]
     pub fn lines_at(&self, point: [f64; 2]) -> Option<Stripes> {
         match self.lookup.polarity.lines(&self.lookup.map.at(point)) {
@@ -114,13 +114,13 @@ impl Plan {
         }
     }
 
-    /// Whether this place, px, is a mark of the layers beneath, or of the ground round one.
+    /// Whether this place, px, is on a mark of the layers beneath, or on the ground around one.
     #[must_use]
     pub fn is_hidden(&self, point: [f64; 2]) -> bool {
         self.is_taken(point) || self.is_rim(point)
     }
 
-    /// Whether this place, px, belongs to the ground round marks of the layers beneath.
+    /// Whether this place, px, is on the ground around marks of the layers beneath.
     fn is_rim(&self, point: [f64; 2]) -> bool {
         if self.rim.is_empty() {
             return false;
@@ -129,8 +129,8 @@ impl Plan {
         self.rim.get(grid.cell_at(grid.to_cells(point))).is_some_and(|height| *height > RIM)
     }
 
-    /// What `measure` finds by region on the canvas without the ground round the marks beneath, which would be measured as ends
-    /// of stripes.
+    /// Calls `measure` by region on the canvas without the ground around the marks beneath, which would be measured as ends of
+    /// stripes.
     pub fn by_region<T>(&self, measure: impl FnOnce(&Target) -> Vec<T>) -> Vec<T> {
         if self.rim.is_empty() {
             return self.on_canvas(measure);
@@ -144,7 +144,7 @@ impl Plan {
         })
     }
 
-    /// Calls `measure` with the canvas that patterns are compared to: its regions, and what is wanted where.
+    /// Calls `measure` with the canvas for comparing patterns: its regions, and the wanted attributes by place.
     pub fn on_canvas<T>(&self, measure: impl FnOnce(&Target) -> T) -> T {
         let layout = self.lookup.map.layout();
         measure(&Target {
@@ -156,8 +156,8 @@ impl Plan {
         })
     }
 
-    /// The concentration `marks` as a share of the peak nearby, where lines run along curves, and with ground round the marks
-    /// beneath, where stripes are the gaps between lines.
+    /// The concentration `marks`, as a share of the peak nearby if lines run along curves, and with ground around the marks beneath
+    /// if stripes are the gaps between lines.
     #[must_use]
     pub fn levelled(&self, mut marks: Field) -> Field {
         let on_plan = [marks.width, marks.height] == self.lookup.grid.size;

@@ -15,7 +15,7 @@ use crate::synth::marks::plan::answers::Ask;
 use crate::synth::marks::plan::offset::Offset;
 use crate::synth::marks::plan::setting::Setting;
 
-/// Parameters at one node in interpolable coordinates; or between nodes.
+/// Parameters at one node, or between nodes, in coordinates that can be interpolated.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Node {
     /// The logarithm of the rate.
@@ -46,7 +46,7 @@ impl Node {
         }
     }
 
-    /// The change for a spot whose rate and stretch are larger by e to these powers, and which is turned by `turn` degrees.
+    /// The offset for a spot whose rate and stretch are multiplied by e to these powers, and which is rotated by `turn` degrees.
     #[must_use]
     pub fn offset(&self, ln_rate: f64, ln_stretch: f64, turn: f64) -> NodeOffset {
         let [c, s] = self.shape;
@@ -56,7 +56,7 @@ impl Node {
         [ln_rate, long * libm::cos(double) - c, long * libm::sin(double) - s, 0.0]
     }
 
-    /// The values that are interpolated between spots: ln rate, the two parts of the shape, ln ratio; and 1, their weight.
+    /// The values that are interpolated between spots: ln rate, the two components of the shape, ln ratio; and 1, their weight.
     #[must_use]
     pub fn weighted(&self) -> WeightedNode {
         [self.ln_rate, self.shape[0], self.shape[1], self.ln_ratio, 1.0]
@@ -81,7 +81,7 @@ impl Node {
         }
     }
 
-    /// R; 1 of a system without a ratio.
+    /// R; 1 for a system without a ratio.
     #[must_use]
     pub fn ratio(&self) -> f64 {
         libm::exp(self.ln_ratio)
@@ -115,23 +115,23 @@ impl Node {
     }
 }
 
-/// The difference of two nodes: of ln rate, of the two parts of the shape, of ln ratio.
+/// The difference of two nodes: of ln rate, of the two components of the shape, of ln ratio.
 pub type NodeOffset = [f64; 4];
 
-/// What is interpolated between spots, times a weight, and the weight 0..1.
+/// The values that are interpolated between spots, times a weight, and the weight 0..1.
 pub type WeightedNode = [f64; 5];
 
 /// Nodes over the canvas.
 #[derive(Clone, Debug)]
 pub struct Lattice {
-    /// One cell a node.
+    /// A grid with one cell for each node.
     pub layout: RegionGrid,
-    /// By index of `layout`.
+    /// The nodes, by index of `layout`.
     pub nodes: Vec<Node>,
 }
 
 impl Lattice {
-    /// Looks up the lines or spots for what `map` wants at every node, less the `offsets` of the regions around it.
+    /// Looks up the lines or spots that `map` wants at every node, with the `offsets` of the regions around it subtracted.
     ///
     /// # Errors
     /// Those of `ask`.

@@ -5,12 +5,12 @@ use crate::grid::Grid;
 use crate::rd::System;
 use crate::synth::marks::plan::cell_size::cell_for;
 
-/// Cells are so many times larger where the lines that grow are the gaps between wide stripes: what a line of three cells lacks
-/// of its width is little of the width of a stripe. Of 42 sketches the longest growth takes 16 s instead of 66 s, and the widths
-/// of stripes are as near as before; at 2 the largest errors grow by a third.
+/// Factor of the cell size if the lines that grow are the gaps between wide stripes: the error of width of a line of three cells is
+/// a small share of the width of a stripe. Of 42 sketches the longest growth takes 16 s instead of 66 s, and the widths of stripes
+/// are as accurate as before; with a factor of 2 the largest errors grow by a third.
 const GAP_CELLS: f64 = 1.5;
 
-/// px a cell that suits the finest marks of `map`, no spacing of which is free.
+/// px a cell that suits the finest marks of `map`; no spacing of `map` may be free.
 #[must_use]
 pub fn finest_cell((system, polarity): (System, Polarity), map: &AttributeMap) -> f64 {
     let coarser = if polarity == Polarity::Negative { GAP_CELLS } else { 1.0 };

@@ -1,4 +1,4 @@
-//! Second stage of a plan: the system, the size of a cell, and the parameters looked up for every place.
+//! The second stage of a plan: the system, the size of a cell, and the parameters looked up for every place.
 
 use std::borrow::Cow;
 
@@ -27,10 +27,11 @@ use crate::synth::marks::plan::spread_limits::limited;
 use crate::synth::profile::{Section, during};
 use crate::synth::training::Training;
 
-/// Where the marks of a layer begin. Decided by the sketch; places are known once the layers beneath have grown.
+/// The starting places of the marks of a layer, as far as the sketch determines them. They are known once the layers beneath have
+/// grown.
 #[derive(Clone, Debug)]
 pub enum Start {
-    /// Where the system puts them, and at these drawn marks; often none.
+    /// At places chosen by the system, and at these drawn marks, if there are any.
     Free {
         /// Spots with parameters of their own.
         spots: Vec<DrawnSpot>,
@@ -41,7 +42,7 @@ pub enum Start {
     Inside,
     /// Along curves around the marks beneath, or between them.
     Curves {
-        /// Which curves.
+        /// The kind of curves.
         kind: CurveKind,
         /// The laws of the system's lines along curves.
         laws: LinesAlongCurves,
@@ -51,12 +52,12 @@ pub enum Start {
 }
 
 impl Start {
-    /// Where the system puts them.
+    /// At places chosen by the system.
     pub const NATURAL: Self = Self::Free { spots: Vec::new(), lines: Vec::new() };
 }
 
-/// The largest area ÷ spacing² of the spots between drawn ones, whose places are uneven: at 0.32 a tenth of them grow together,
-/// in an even pattern none.
+/// The largest area ÷ spacing² of the spots between drawn ones, whose places are uneven: at 0.32 a tenth of them merge, in an even
+/// pattern none.
 const DENSEST_AMONG_DRAWN: f64 = 0.25;
 
 /// The parameters looked up for a layer.
@@ -64,25 +65,25 @@ const DENSEST_AMONG_DRAWN: f64 = 0.25;
 pub struct Lookup {
     /// The system.
     pub system: System,
-    /// Whether its stripes are the lines that grow, or the gaps between these.
+    /// Whether the lines that grow are its stripes, or the gaps between them.
     pub polarity: Polarity,
-    /// What is wanted where; free spacings filled in. Its canvas is the one that is grown.
+    /// The wanted attributes by place, with free spacings filled in. Its canvas is the one that is grown.
     pub map: AttributeMap,
     /// The grid over the canvas.
     pub grid: Grid,
     /// Parameters (in cells) at every place.
     pub lattice: Lattice,
-    /// What was looked up for each region, lengths in px but parameters in cells.
+    /// The answer for each region, lengths in px but parameters in cells.
     pub answers: Vec<Answer>,
-    /// Messages to the user beside the notes of the answers, by region.
+    /// Messages to the user by region, in addition to the notes of the answers.
     pub remarks: Vec<Vec<String>>,
-    /// How irregular the outlines of its spots shall be, 0..1; only Turing's can be.
+    /// Irregularity of the outlines of its spots, 0..1; only Turing's spots can be irregular.
     pub irregular: f64,
-    /// What stripes begin from. Without noise they grow without a tensor.
+    /// Initial state of stripes. Without noise they grow without a tensor.
     pub seeding: Seeding,
-    /// Where its marks begin.
+    /// Starting places of its marks.
     pub start: Start,
-    /// How much the spots of each region will vary: as wanted, as far as possible.
+    /// Spread of the spots of each region: the wanted one, limited to the possible one.
     pub(super) spreads: Vec<Spread>,
 }
 
@@ -101,7 +102,7 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) ->
     map.fill_free_spacing(|spots| free_spacing(training, system, spots));
     let limited = system.description().free_spacing && map.limit_density(DENSEST_AMONG_DRAWN);
     let polarity = if system.description().free_spacing { map.polarity() } else { Polarity::Positive };
-    // On the grid on which they grow, where the same is asked again.
+    // On the grid of the growth, on which these questions are asked again.
     let cell = grid_of(&map, finest_cell((system, polarity), &map)).px_a_cell();
     let sparse = |wanted: &Attributes| Ok(answers.ask(system, &polarity.lines(wanted), cell)?.pitch() > 1.0);
     let sparse = map.samples().par_iter().map(sparse).collect::<Result<Vec<_>, PlanError>>()?.contains(&true);
@@ -114,7 +115,7 @@ pub fn look_up(training: &Training, choice: SystemChoice, map: &AttributeMap) ->
     Ok(lookup)
 }
 
-/// What is said where spots between drawn ones have been placed farther apart.
+/// The note that spots between drawn ones have been placed farther apart.
 fn placed_apart(map: &AttributeMap) -> String {
     let samples = map.samples();
     let apart = samples.iter().filter_map(|wanted| match wanted {
@@ -127,7 +128,8 @@ fn placed_apart(map: &AttributeMap) -> String {
     )
 }
 
-/// Looks up the parameters of a layer on a grid of about `cell` px a cell whatever suits the marks; no spacing of `map` may be free.
+/// Looks up the parameters of a layer on a grid of about `cell` px a cell, whether or not that suits the marks; no spacing of `map`
+/// may be free.
 ///
 /// # Errors
 /// The training set cannot be read, or does not take such attributes.
@@ -142,7 +144,7 @@ pub fn look_up_on(
     Lookup::on_cells((system, polarity), map.clone(), cell, Start::NATURAL, ask)
 }
 
-/// An answer about the lines that grow, expressed for the stripes that are wanted.
+/// An answer about the lines that grow, converted to the stripes that are wanted.
 pub(super) fn of_marks(polarity: Polarity, answer: Answer) -> Answer {
     match polarity {
         Polarity::Positive => answer,
@@ -150,7 +152,7 @@ pub(super) fn of_marks(polarity: Polarity, answer: Answer) -> Answer {
     }
 }
 
-/// The remarks of an answer about the lines that grow, told of the stripes that are wanted.
+/// The remarks of an answer about the lines that grow, converted to the stripes that are wanted.
 pub(super) fn notes_of_marks(polarity: Polarity, asked: &Asked) -> Vec<Note> {
     match polarity {
         Polarity::Positive => asked.notes(),
@@ -159,7 +161,7 @@ pub(super) fn notes_of_marks(polarity: Polarity, asked: &Asked) -> Vec<Note> {
 }
 
 impl Lookup {
-    /// Looks up what `map` wants, no spacing of which is free.
+    /// Looks up the attributes of `map`; none of its spacings may be free.
     pub(super) fn new(
         grown: (System, Polarity),
         map: AttributeMap,
@@ -210,12 +212,12 @@ impl Lookup {
         })
     }
 
-    /// Answers to further questions, as those of its regions were answered.
+    /// Answers to further questions, in the way in which those of its regions were answered.
     pub(super) fn answers_of<'t>(&self, training: &'t Training) -> Answers<'t> {
         Answers::new(training).among_sparse(self.answers.iter().any(|answer| answer.pitch > 1.0))
     }
 
-    /// The curves along which its lines run, where they do.
+    /// The kind of curves along which its lines run, if they do.
     #[must_use]
     pub fn curve_kind(&self) -> Option<CurveKind> {
         match self.start {
@@ -224,13 +226,13 @@ impl Lookup {
         }
     }
 
-    /// The lines that have to grow for what is wanted in each region; other marks as they are wanted.
+    /// The lines that have to grow for the wanted attributes of each region; other marks unchanged.
     #[must_use]
     pub fn wanted_lines(&self) -> Vec<Attributes> {
         self.wanted().iter().map(|wanted| self.polarity.lines(wanted)).collect()
     }
 
-    /// What is wanted at the centre of each region.
+    /// The wanted attributes at the centre of each region.
     #[must_use]
     pub fn wanted(&self) -> Vec<Attributes> {
         self.map.of_regions()
@@ -260,7 +262,7 @@ impl Lookup {
         at.iter().map(|at| self.grid.to_cells(*at)).collect()
     }
 
-    /// How much the spots of region `index` will vary.
+    /// The spread of the spots of region `index`.
     #[must_use]
     pub fn spread(&self, index: usize) -> Spread {
         self.spreads[index]
@@ -274,7 +276,7 @@ impl Lookup {
         }
     }
 
-    /// How much spots vary that are wanted at a point, px.
+    /// The spread of the spots wanted at a point, px.
     pub(super) fn spread_at(&self, point: [f64; 2]) -> Spread {
         let corners = self.map.layout().corners(point);
         corners
@@ -288,8 +290,8 @@ impl Lookup {
         self.map.layout().corners(point).iter().map(|&(i, weight)| weight * values[i]).sum()
     }
 
-    /// Parameters of every cell. `pitch` is how many times farther apart than the system's own distance marks begin, by
-    /// region of `map`; `obstacles` are the cells taken by marks beneath, empty = none.
+    /// Parameters of every cell. `pitch` is the distance at which marks begin ÷ the system's own distance, by region of `map`;
+    /// `obstacles` are the cells taken by marks beneath, empty = none.
     #[must_use]
     pub fn maps(&self, pitch: &[f64], obstacles: &[bool]) -> ParameterField {
         let grid = self.grid;
@@ -322,7 +324,7 @@ impl Lookup {
         CellValues::new(self.map.layout(), &self.grid, values)
     }
 
-    /// `maps`, made with a pitch of 1 in all regions, with another one.
+    /// `maps`, made with a pitch of 1 in all regions, converted to another `pitch`.
     #[must_use]
     pub fn repitched<'a>(&self, maps: &'a ParameterField, pitch: &[f64]) -> Cow<'a, ParameterField> {
         if pitch.iter().all(|pitch| *pitch == 1.0) {
@@ -331,7 +333,7 @@ impl Lookup {
         Cow::Owned(self.repitch(maps.clone(), pitch))
     }
 
-    /// `maps`, made with a pitch of 1 in all regions, with another `pitch` a region; changed without a copy.
+    /// `maps`, made with a pitch of 1 in all regions, converted to another `pitch` by region, without a copy.
     #[must_use]
     pub fn repitch(&self, mut maps: ParameterField, pitch: &[f64]) -> ParameterField {
         if pitch.iter().all(|pitch| *pitch == 1.0) {
@@ -347,7 +349,7 @@ impl Lookup {
         maps
     }
 
-    /// Parameters without a tensor where the seeding makes the direction of stripes.
+    /// Parameters without a tensor if the seeding determines the direction of stripes.
     fn with_tensor_of_seeding(&self, p: Parameters) -> Parameters {
         if self.seeding == Seeding::Noise { p } else { Parameters { stretch: 1.0, ..p } }
     }

@@ -1,4 +1,4 @@
-//! The parameters that grow given attributes, without a document.
+//! The parameters that grow given attributes, looked up without a document.
 
 use crate::attributes::{Attributes, Polarity, Spots};
 use crate::learn::{Answer, Coverage, Note, Parameters};
@@ -16,8 +16,8 @@ use crate::synth::training::Training;
 pub struct LookedUp<'a> {
     /// The system.
     pub system: System,
-    /// Whether stripes are the gaps between the lines that these parameters grow: those that cover more than half of their
-    /// period.
+    /// Whether the stripes are the gaps between the lines that these parameters grow, as for stripes that cover more than half of
+    /// their period.
     pub inverted: bool,
     /// px a cell of the grid that suits the attributes.
     pub cell: f64,
@@ -28,8 +28,8 @@ pub struct LookedUp<'a> {
 }
 
 impl<'a> LookedUp<'a> {
-    /// Looks up the parameters with which `system` grows what is `wanted` (px, degrees). A spacing that
-    /// `meinhardt-spots` is left free to choose is the one that growing takes then.
+    /// Looks up the parameters with which `system` grows the `wanted` attributes (px, degrees). If the spacing of `meinhardt-spots`
+    /// is free, it is the one that a growth would take.
     ///
     /// ```
     /// use dapple_engine::attributes::{Attribute, Attributes, Spots};
@@ -58,7 +58,7 @@ impl<'a> LookedUp<'a> {
         self.asked.parameters()
     }
 
-    /// Spacing of the spots ÷ the spacing that the system gives them by itself; 1 = its own.
+    /// Spacing of the spots ÷ the system's own spacing.
     #[must_use]
     pub fn pitch(&self) -> f64 {
         self.asked.pitch()
@@ -76,15 +76,15 @@ impl<'a> LookedUp<'a> {
         notes_of_marks(self.polarity, &self.asked)
     }
 
-    /// The answer with what is predicted to grow, px. Where the system grows spots of any spacing, to predict takes three times as long
-    /// as to look up.
+    /// The answer with the predicted attributes, px. If the system grows spots of any spacing, a prediction takes three times as
+    /// long as the lookup.
     #[must_use]
     pub fn predict(&self) -> Answer {
         of_marks(self.polarity, self.asked.predict())
     }
 }
 
-/// What a system is asked for.
+/// A question to a system.
 struct Question {
     /// Spots, or the lines that it grows.
     lines: Attributes,

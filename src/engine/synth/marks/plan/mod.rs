@@ -1,4 +1,4 @@
-//! What will be grown on a layer, in stages. Each stage is made from the one before:
+//! Plans of a layer, in stages. Each stage is made from the one before:
 //!
 //! ```text
 //!  document ─▶ Targets ──look_up──▶ Lookup ──corrected──▶ Corrected ──lay_out──▶ Plan ──begin──▶ Begun
@@ -6,7 +6,8 @@
 //!              may it be            parameters            by probes             layers beneath  spread and distances
 //! ```
 //!
-//! The engine takes a [`Begun`], the pictures a [`Plan`]. Neither changes while the layer grows: what a growth corrects stands beside them.
+//! The engine takes a [`Begun`], painting takes a [`Plan`]. Neither changes while the layer grows: corrections of a growth are
+//! stored beside them.
 
 mod answers;
 pub mod around;
@@ -38,7 +39,7 @@ pub mod raggedness;
 pub mod setting;
 pub mod spacing_correction;
 pub mod spread;
-mod spread_limits;
+pub mod spread_limits;
 mod targets;
 pub mod visible_part;
 

@@ -1,22 +1,22 @@
-//! How what grows differs from what was asked, and by how much questions are corrected for it.
+//! Differences between asked and grown attributes, and the corrections of questions for them.
 
 use crate::attributes::{Attributes, Spots, Stripes};
 use crate::marks::{axial, turn};
 use crate::rd::Scatter;
 
-/// Above this aspect a spot has no direction.
+/// Above this aspect a spot counts as having no direction.
 const DIRECTED: f64 = 0.8;
 
-/// How what grows differs from what was asked, or the scatter of that.
+/// Difference between asked and grown attributes, or the scatter of the difference.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Offset {
-    /// Of ln area, or of ln width.
+    /// Difference of ln area, or of ln width.
     pub size: f64,
-    /// Of ln spacing, or of ln wavelength where that is free.
+    /// Difference of ln spacing, or of ln wavelength where that is free.
     pub spacing: f64,
-    /// Of −ln aspect.
+    /// Difference of −ln aspect.
     pub elongation: f64,
-    /// Of the direction, degrees.
+    /// Difference of the direction, degrees.
     pub turn: f64,
 }
 
@@ -42,14 +42,14 @@ impl Offset {
         self.zip(other, |a, b| a + share * b)
     }
 
-    /// Whether all of it is below what is `tolerated`.
+    /// Whether all parts are below `tolerated`.
     pub(crate) fn within(self, tolerated: Self) -> bool {
         let Self { size, spacing, elongation, turn } =
             self.zip(tolerated, |offset, tolerated| f64::from(u8::from(offset.abs() <= tolerated)));
         size * spacing * elongation * turn > 0.0
     }
 
-    /// From what was asked to what has grown.
+    /// The difference from the asked to the grown attributes.
     #[must_use]
     pub fn between(asked: &Attributes, got: &Attributes) -> Self {
         match (asked, got) {
@@ -72,7 +72,7 @@ impl Offset {
         }
     }
 
-    /// `attributes` moved by `share` of it; spots become no rounder than round.
+    /// The `attributes` plus this offset times `share`; the aspect of spots is at most 1.
     #[must_use]
     pub fn applied(&self, share: f64, attributes: &Attributes) -> Attributes {
         let (size, turned) = (libm::exp(share * self.size), share * self.turn);
@@ -92,17 +92,17 @@ impl Offset {
     }
 }
 
-/// What probes found about one question.
+/// The result of the probes for one question.
 #[derive(Clone, Debug, Default)]
 pub struct Correction {
     /// Patches that were grown to find it.
     pub growths: usize,
-    /// What to subtract from what is asked.
+    /// The offset to subtract from the question.
     pub offset: Offset,
 }
 
 impl Correction {
-    /// What was done, in words; `None` where nothing was.
+    /// The correction in words; `None` if there was none.
     #[must_use]
     pub fn note(&self) -> Option<String> {
         let Offset { size, spacing, elongation, turn } = self.offset;

@@ -25,21 +25,21 @@ pub struct PinnedMark {
     pub mark: usize,
     /// The drawn ellipse, on the canvas that is grown, px.
     pub drawn: Ellipse,
-    /// What of it lies on the canvas.
+    /// The part of it on the canvas.
     pub visible: VisiblePart,
-    /// How its own parameters differ from those looked up for its place.
+    /// Difference between its own parameters and those looked up for its place.
     pub offset: NodeOffset,
 }
 
-/// area ÷ spacing² of spots as near as they come.
+/// area ÷ spacing² of spots at the highest density.
 const PACKED: f64 = 0.22;
 
-/// Spots of a smaller ratio split in two where they have room, as on one side of a close pair.
+/// Least ratio of a drawn spot: with a smaller one it splits in two if it has room, as on one side of a close pair.
 const LEAST_RATIO: f64 = 13.5;
 
-/// The distance at which spots merge is multiplied by this where their outlines are well apart: what they take from each other
-/// is corrected while they grow. Of 477 spots of 22 sketches the full distance left out 26; with 0.8 to 0.86 of it 3 did not
-/// grow. Where outlines nearly touch, pairs merged with 0.9.
+/// Factor of the distance at which spots merge, if their outlines are well apart: their effect on each other is corrected while
+/// they grow. Of 477 spots of 22 sketches the full distance excluded 26; with 0.8 to 0.86 of it 3 did not grow. If outlines nearly
+/// touched, pairs merged with 0.9.
 const WELL_APART: f64 = 0.83;
 
 impl PinnedMark {
@@ -59,7 +59,7 @@ impl PinnedMark {
         (self.drawn.radii[0] * self.drawn.radii[1]).sqrt()
     }
 
-    /// The spot with the room that it takes among the others; `pitch` is by region.
+    /// The spot with its room among the others; `pitch` is by region.
     #[must_use]
     pub fn among_others(&self, lookup: &Lookup, pitch: &[f64]) -> rd::PinnedSpot {
         let own = room_of(lookup, self.drawn.center, pitch, self.offset);
@@ -71,7 +71,7 @@ impl PinnedMark {
         rd::PinnedSpot { at, own, near }
     }
 
-    /// How near another spot may stand to it, in pitches of `pitch` cells, the room that it needs itself.
+    /// The least distance of another spot, in pitches of `pitch` cells, the room that it needs itself.
     fn nearest(&self, lookup: &Lookup, pitch: f64) -> f64 {
         let area = self.drawn.area();
         let spacing = (lookup.px_a_cell() * pitch).max((area / PACKED).sqrt());
@@ -80,14 +80,14 @@ impl PinnedMark {
     }
 }
 
-/// Why a drawn spot is not grown where it was drawn.
+/// A drawn spot that is not grown where it was drawn, with the reason.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeftOut {
     /// Its index among the marks of its layer.
     pub mark: usize,
     /// The drawn ellipse, on the canvas that is grown, px.
     pub drawn: Ellipse,
-    /// Why.
+    /// The reason.
     pub reason: Hindrance,
 }
 
@@ -111,7 +111,7 @@ fn is_well_apart(a: &Ellipse, b: &Ellipse, bounds: &Bounds) -> bool {
     distance - along_way(a) - along_way(b) > gap
 }
 
-/// The drawn `spots` that find room beside the `obstacles`, and the ones that do not.
+/// The drawn `spots` that find room beside the `obstacles`, and those that do not.
 pub(super) fn pin_spots(
     lookup: &Lookup,
     obstacles: &[bool],
@@ -129,7 +129,7 @@ pub(super) fn pin_spots(
             let other = other as usize;
             other == index || is_well_apart(&mark.drawn, &drawn[other].drawn, &bounds)
         };
-        // Farther off, all are: the gap that is asked for is at most a quarter of both together.
+        // Ellipses farther apart are well apart: the required gap is at most a quarter of both together.
         let farthest = 1.25 * (longest(mark) + longest_of_all);
         if places.within(mark.drawn.center, farthest).into_iter().all(is_apart) {
             among.near *= WELL_APART;
@@ -157,7 +157,7 @@ pub fn guide_lines(paths: &[Path], size: [f64; 2]) -> Vec<GuideLine> {
     segments.map(|line| GuideLine { from: share(line.from), to: share(line.to) }).collect()
 }
 
-/// The vector from `b` to `a`, px; on a tile the shortest.
+/// The vector from `b` to `a`, px; on a tile the shortest one.
 #[must_use]
 pub fn displacement(a: [f64; 2], b: [f64; 2], layout: &RegionGrid) -> [f64; 2] {
     layout.bounds().shortest([a[0] - b[0], a[1] - b[1]])

@@ -1,16 +1,16 @@
-//! How ragged the edges of spots and stripes are to be.
+//! The raggedness that the edges of spots and stripes are to have.
 
 use crate::attributes::{AttributeMap, Attributes, Spread};
 use crate::document::{LayerOptions, RaggedChoice};
 use crate::points::patches::{Patches, Wanted};
 
-/// The share of the plane that spots cover whose spacing is free: far apart, their fringes have room.
+/// The share of the plane covered by spots whose spacing is free: far apart, their fringes have room.
 const OPEN: f64 = 0.15;
 
-/// The raggedness that `options` ask of the spots or stripes of `map`, from 1; `None` where their edges stay as they grow.
+/// The raggedness (at least 1) that `options` ask of the spots or stripes of `map`; `None` if their edges are not changed.
 ///
-/// It exceeds 1 by as much as patches of this size, shape and coverage are more ragged with the same σ than without any, so that the option
-/// means the same for both.
+/// Its excess over 1 is that of patches of this size, shape and coverage with this σ over such patches with σ = 0, so that the
+/// option has one meaning for both.
 #[must_use]
 pub fn asked_raggedness(map: &AttributeMap, options: &LayerOptions) -> Option<f64> {
     let RaggedChoice::Given(sigma) = options.ragged else { return None };
@@ -19,7 +19,7 @@ pub fn asked_raggedness(map: &AttributeMap, options: &LayerOptions) -> Option<f6
     (sigma > 0.0 && !all.is_empty()).then(|| 1.0 + sum / all.len() as f64)
 }
 
-/// The σ with which marks of these attributes are as ragged as `raggedness`, from 1: [`asked_raggedness`] the other way.
+/// The σ with which marks of these attributes have this `raggedness` (at least 1): the inverse of [`asked_raggedness`].
 #[must_use]
 pub fn sigma_of(marks: &Attributes, raggedness: f64) -> f64 {
     let patch = patch(marks);

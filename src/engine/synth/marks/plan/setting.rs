@@ -2,12 +2,12 @@
 
 use crate::learn::{Answer, Parameters};
 
-/// What grows attributes, without what it is predicted to grow.
+/// Parameters that grow some attributes, without the predicted attributes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setting {
     /// Parameters in cells.
     pub parameters: Parameters,
-    /// How many times farther apart than the system's own distance marks begin.
+    /// Distance at which marks begin ÷ the system's own distance.
     pub pitch: f64,
 }
 

@@ -1,9 +1,9 @@
-//! Spacing correction: how far apart spots and lines begin, so that they end as far apart as asked.
+//! Spacing correction: the initial distances of spots and lines with which the final ones are those asked for.
 //!
-//! Spots move from their first places by a per cent of the spacing only, so the spacing can be measured before anything has
-//! grown: the nuclei are placed, measured as `docs/format.md` defines *spacing*, and placed again. The same holds for the
-//! crests of lines. How patterns differ from the distance of their system is in the training rows, so that the distances of
-//! the first places are compared to what was looked up.
+//! Spots move from their first places by only a per cent of the spacing, so the spacing can be measured before anything has grown:
+//! the nuclei are placed, measured as `docs/format.md` defines *spacing*, and placed again. The crests of lines are treated
+//! likewise. The training rows contain how patterns differ from the distance of their system, so that the distances of the first
+//! places are compared with the looked-up ones.
 
 use crate::attributes::{Attributes, Stripes};
 use crate::marks::Ellipse;
@@ -14,14 +14,14 @@ use crate::synth::marks::plan::layer_lookup::Lookup;
 
 /// Rounds of correction. A third one changes less than the noise of a dozen spots.
 const ROUNDS: usize = 2;
-/// Range of the pitch ÷ the system's own: beyond it spots die or split (`pitch` 0.8 and 1.3 were tried).
+/// Range of the pitch ÷ the system's own: beyond it spots vanish or split (`pitch` 0.8 and 1.3 were tried).
 const PITCHES: [f64; 2] = [0.88, 1.2];
-/// With more nuclei one round is enough: of 150 and more the first is off by half a per cent.
+/// With more nuclei one round is enough: with 150 and more the error after the first is half a per cent.
 const SEVERAL: usize = 300;
-/// With more nuclei the law alone meets the spacing to a per cent.
+/// With more nuclei the law alone gives the spacing to a per cent.
 const MANY: usize = 20_000;
 
-/// Rounds of correction that so many nuclei need.
+/// Rounds of correction for this number of nuclei.
 #[must_use]
 pub fn corrections(nuclei: usize) -> usize {
     match nuclei {
@@ -31,13 +31,13 @@ pub fn corrections(nuclei: usize) -> usize {
     }
 }
 
-/// Factors of the system's own pitch, by region, with which marks end as far apart as asked.
+/// Factors of the system's own pitch, by region, with which the final distances of marks are those asked for.
 #[must_use]
 pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
     let Lookup { system, map, .. } = &plan.lookup;
     let mut pitch = vec![1.0; map.layout().len()];
-    // Lines along curves have the distance of these, marks at given places that of the places, and other stripes the wavelength of
-    // their system.
+    // Lines along curves have the distances of the curves, marks at given places those of the places, and other stripes the
+    // wavelength of their system.
     let is_given = plan.curves().is_some() || plan.places().is_some();
     if is_given || system.is_striped() && !system.description().free_spacing {
         return pitch;
@@ -70,9 +70,9 @@ pub fn pitches(plan: &Plan, seed: u64) -> Vec<f64> {
     }
 }
 
-/// By how much farther apart than the system's own distance the lines begin (got ÷ own − 1), by region.
+/// Excess of the initial distance of lines over the system's own distance (got ÷ own − 1), by region.
 fn wavelength_errors(plan: &Plan, maps: &ParameterField, pitch: &[f64], seed: u64) -> Vec<Option<f64>> {
-    // Without the obstacles: only distances count here.
+    // Without the obstacles, since only distances are measured here.
     let maps = ParameterField { obstacles: Vec::new(), ..plan.lookup.repitched(maps, pitch).into_owned() };
     let crests = initial_marks(plan.lookup.system, &maps, seed);
     plan.on_canvas(|target| {

@@ -1,15 +1,16 @@
-//! Spots that differ from each other as much as is asked.
+//! Spots that differ from each other by the spread that is asked for.
 //!
 //! ```text
 //!  asked spread ─▶ possible spread ─▶ a deviation a spot ─▶ places with the room each needs ─▶ parameters of each cell
 //!  (region map)    (limits)           (deviations)          (rd: relax_places)            (rd: Shepard interpolation)
 //! ```
 //!
-//! Each spot grows in parameters of its own, those of a texture whose mean it would be: a system answers to where a
-//! spot is, not to the mean. The deviations of a region have mean 0, so that its means stay; pinned spots have parameters
-//! of their own. Distances are in the places where spots begin, which they keep but for what neighbours push them.
+//! Each spot grows with parameters of its own, those of a texture that has this spot as its mean: a system depends on the local
+//! parameters, not on the mean. The deviations of a region have mean 0, so that its means do not change; pinned spots have
+//! parameters of their own. Distances are determined by the initial places of spots, which change only by the repulsion of
+//! neighbours.
 
-mod deviations;
+pub mod deviations;
 mod far_spots;
 mod laid;
 mod own_parameters;
@@ -32,13 +33,13 @@ use own_parameters::own_of_all;
 /// Spots with parameters of their own, the pinned ones first.
 #[derive(Clone, Debug)]
 pub struct VariedSpots {
-    /// Where they begin, cells.
+    /// Starting places, cells.
     pub places: Vec<[f64; 2]>,
-    /// How the parameters of each differ from those of its place.
+    /// Differences between the parameters of each and those of its place.
     offsets: Vec<NodeOffset>,
-    /// Parameters of the room that each takes.
+    /// Parameters of the room of each spot.
     own: Vec<Parameters>,
-    /// How far the parameters of each reach.
+    /// Reach of the parameters of each spot.
     kernels: Vec<Kernel>,
     /// Factors of the pitch, by region.
     pitch: Vec<f64>,
@@ -46,10 +47,10 @@ pub struct VariedSpots {
     pub largest: f64,
 }
 
-/// Spots nearer than this to one that does not grow may be why, in its pitches: the first ring of neighbours and a margin. Not
-/// tuned.
+/// Spots closer than this to one that does not grow, in its pitches, may be the reason: the first ring of neighbours and a margin.
+/// Not tuned.
 const BESIDE: f64 = 1.6;
-/// The spots of `plan` one by one; `None` where none differs from its neighbours, and none is pinned.
+/// The spots of `plan` one by one; `None` if none differs from its neighbours, and none is pinned.
 pub fn vary(plan: &Plan, seed: u64) -> Option<VariedSpots> {
     let Lookup { system, map, .. } = &plan.lookup;
     if system.is_striped() || map.is_without_spread() && plan.pinned_spots().is_empty() {
@@ -76,7 +77,7 @@ fn given(plan: &Plan, maps: &ParameterField, places: &[[f64; 2]], seed: u64) -> 
     varied(plan, maps, &places, &pitch, &scores)
 }
 
-/// Spots at `places`, cells: some have moved into another region.
+/// Spots at `places`, cells; some may have moved into another region.
 fn varied(
     plan: &Plan,
     maps: &ParameterField,
@@ -103,7 +104,7 @@ impl VariedSpots {
         ParameterField { obstacles: plan.obstacles.clone(), ..ParameterField::new(grid, parameters) }
     }
 
-    /// Takes the spots `away`, by their indices, and gives the pinned ones, which come first, these `offsets` of their parameters.
+    /// Removes the spots `away`, by their indices, and sets the `offsets` of the parameters of the pinned ones, which come first.
     /// Writes the `parameters` of the cells that this changes.
     pub fn correct(
         &mut self,
@@ -126,7 +127,7 @@ impl VariedSpots {
         self.interpolate(plan, &changes, parameters);
     }
 
-    /// The nearest spot of those `among`, by their indices, within 1.6 pitches of spot `index`, which is none of them.
+    /// The nearest spot `among` those with these indices, within 1.6 pitches of spot `index`, which is not one of them.
     #[must_use]
     pub fn nearest_beside(
         &self,
@@ -155,8 +156,8 @@ impl VariedSpots {
         self.kernels = without(&self.kernels, surplus);
     }
 
-    /// Writes the parameters of the cells of those parts that `changes`: those of each spot are the same all around it, also where
-    /// what is wanted changes within its length.
+    /// Writes the parameters of the cells in the parts that `changes`. Those of a spot are constant around it, even where the
+    /// wanted attributes change within its length.
     fn interpolate(
         &self,
         plan: &Plan,
@@ -195,7 +196,7 @@ mod tests {
     use crate::synth::marks::plan::look_up;
     use crate::synth::training::Training;
 
-    /// Nine round spots of different areas in a corner of a canvas that takes several parts of cells.
+    /// Nine round spots of different areas in a corner of a canvas of several parts of cells.
     fn planned() -> Plan {
         let spot = |k: usize| {
             let (x, y, r) = (60 + 100 * (k % 3), 60 + 100 * (k / 3), 7 + k % 4);

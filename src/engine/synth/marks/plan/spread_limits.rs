@@ -1,4 +1,4 @@
-//! How much spots can vary, and how much they vary by themselves.
+//! The largest spread of spots, and their natural spread.
 
 use std::f64::consts::PI;
 
@@ -8,12 +8,12 @@ use crate::learn::NARROWEST;
 use crate::rd::OwnVariation;
 use crate::rd::{SpotLimits, System, Variation};
 
-/// The spread that will be grown instead of one that was asked, and why it differs.
+/// The spread that will be grown instead of the one asked for, and the reason.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limited {
     /// The spread that can be reached.
     pub spread: Spread,
-    /// Why it differs, in words and numbers.
+    /// The reason for the difference, in words and numbers.
     pub notes: Vec<String>,
 }
 
@@ -25,10 +25,10 @@ const WITHIN: f64 = 0.6;
 const USUAL_DENSITY: f64 = 0.122;
 /// Coefficient of variation of the distances of round spots.
 const EVEN: f64 = 0.093;
-/// Share of the stretch of long spots that is left in the distances of their neighbours, see [`least_spacing`].
+/// Share of the stretch of long spots that remains in the distances of their neighbours, see [`least_spacing`].
 const STRETCHED: f64 = 0.8;
 
-/// The most that spots which are `wanted` on the mean can vary.
+/// The largest spread of spots whose mean is `wanted`.
 #[must_use]
 pub fn most(system: System, wanted: &Spots) -> Spread {
     let room = WITHIN * (wanted.aspect - ASPECTS[0]).min(ASPECTS[1] - wanted.aspect).max(0.0);
@@ -47,15 +47,15 @@ pub fn most(system: System, wanted: &Spots) -> Spread {
         area: (SPREAD_AREA.high - area_by_density * (packing - free_density).max(0.0)).max(0.0),
         angle: (turn.degrees * libm::pow(turn.length / length, turn.power)).min(SPREAD_ANGLE.high),
         aspect: room,
-        // Never less than what long spots have by themselves.
+        // At least the natural value of long spots.
         spacing: uneven.max(least_spacing(wanted)),
     }
 }
 
 /// Coefficient of variation of the distances of equal spots: long spots stand farther apart along their direction.
 ///
-/// A ring of neighbours drawn out by 1/√ρ along and √ρ across, of which the share [`STRETCHED`] is left, and [`EVEN`] on
-/// top: 0.11, 0.136, 0.17, 0.21, 0.24, 0.29 were measured at aspect 0.8, 0.7, 0.6, 0.5, 0.4, 0.3.
+/// A ring of neighbours stretched by 1/√ρ along and √ρ across, of which the share [`STRETCHED`] remains, plus [`EVEN`]: 0.11,
+/// 0.136, 0.17, 0.21, 0.24, 0.29 were measured at aspect 0.8, 0.7, 0.6, 0.5, 0.4, 0.3.
 fn least_spacing(wanted: &Spots) -> f64 {
     const DIRECTIONS: usize = 64;
     let squares = (0..DIRECTIONS).map(|k| {
@@ -68,8 +68,8 @@ fn least_spacing(wanted: &Spots) -> f64 {
     (stretched + EVEN * EVEN).sqrt()
 }
 
-/// The part of the spread `asked` that spots can have which are `wanted` on the mean. That they vary more by themselves is
-/// noted where the spread was `given` as a number.
+/// The possible part of the spread `asked` of spots whose mean is `wanted`. If the spread was `given` as a number, a larger natural
+/// spread is noted.
 #[must_use]
 pub fn limited(system: System, wanted: &Spots, asked: &Spread, given: bool) -> Limited {
     let most = most(system, wanted);
@@ -100,9 +100,9 @@ pub fn limited(system: System, wanted: &Spots, asked: &Spread, given: bool) -> L
     Limited { spread: asked.with(&most, f64::min), notes }
 }
 
-/// How much equal spots vary by themselves, except in their spacing; measured on patches of 130 and 200.
+/// The natural spread of equal spots, except that of their spacing; measured on patches of 130 and 200 spots.
 ///
-/// Shape and direction are one vector −ln aspect · (cos 2θ, sin 2θ), whose noise is the same for all aspects.
+/// Shape and direction form one vector −ln aspect · (cos 2θ, sin 2θ), whose noise is equal for all aspects.
 #[must_use]
 pub fn by_itself(system: System, wanted: &Spots) -> Spread {
     let own = system.definition().spots.map(|spots| spots.own_variation);

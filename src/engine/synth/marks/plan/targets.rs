@@ -1,4 +1,4 @@
-//! First stage of a plan: what the sketch of a layer asks for.
+//! The first stage of a plan: the targets in the sketch of a layer.
 
 use crate::attributes::AttributeMap;
 use crate::attributes::Attributes;
@@ -16,17 +16,17 @@ use crate::synth::marks::plan::offset_curves::CurveKind;
 use crate::synth::marks::plan::{around, inside};
 use crate::synth::training::Training;
 
-/// What the sketch of a layer asks for.
+/// The targets in the sketch of a layer.
 pub struct Targets<'a> {
-    /// What is wanted where, on the canvas that is grown.
+    /// The wanted attributes by place, on the canvas that is grown.
     pub map: AttributeMap,
     layer: &'a Layer,
     place: Place<'a>,
 }
 
-/// How the layer stands to the one beneath.
+/// The relation of the layer to the one beneath.
 enum Place<'a> {
-    /// Free, but for drawn marks that stay in place.
+    /// Independent of it, with these drawn marks, which stay in place.
     Free(Vec<Mark>),
     /// Inside the marks of that layer.
     Inside(&'a Lookup),
@@ -38,7 +38,7 @@ impl<'a> Targets<'a> {
     /// Reads layer `index` of a document named `source`, on a canvas of `size` px above the layer looked up `beneath`.
     ///
     /// # Errors
-    /// What was drawn cannot be grown there: file, place, value, what is allowed.
+    /// The layer cannot be grown as drawn: file, place, value, what is allowed.
     pub fn read(
         document: &'a Document,
         index: usize,
@@ -80,7 +80,7 @@ impl<'a> Targets<'a> {
         Ok(Self { map, layer, place })
     }
 
-    /// Looks up the parameters for it.
+    /// Looks up the parameters for the targets.
     ///
     /// # Errors
     /// A training set cannot be read.

@@ -1,4 +1,4 @@
-//! What the border of the canvas leaves of a drawn spot.
+//! The part of a drawn spot inside the border of the canvas.
 
 use crate::attributes::regions::RegionGrid;
 use crate::marks::Ellipse;
@@ -13,7 +13,7 @@ pub struct VisiblePart {
 }
 
 impl VisiblePart {
-    /// The part of an ellipse that lies on this canvas; all of one that lies beyond it.
+    /// The part of an ellipse that lies on this canvas; the whole ellipse if no part does.
     #[must_use]
     pub fn new(ellipse: &Ellipse, layout: &RegionGrid) -> Self {
         const RINGS: usize = 12;
@@ -50,7 +50,7 @@ mod tests {
     }
 
     #[test]
-    fn half_of_an_ellipse_is_seen_whose_centre_is_on_the_border() {
+    fn half_of_an_ellipse_with_its_centre_on_the_border_is_visible() {
         let half = visible(0.0, Edges::Closed);
         let area = std::f64::consts::PI * 12.0 * 8.0;
         assert!((half.area / area - 0.5).abs() < 0.03, "{half:?}");
@@ -60,7 +60,7 @@ mod tests {
     }
 
     #[test]
-    fn all_of_an_ellipse_is_seen_that_no_closed_border_cuts() {
+    fn an_ellipse_that_no_closed_border_cuts_is_wholly_visible() {
         for (x, edges) in [(30.0, Edges::Closed), (0.0, Edges::Wrap)] {
             let all = visible(x, edges);
             assert_eq!(all.center, [x, 50.0]);

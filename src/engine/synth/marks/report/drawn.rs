@@ -1,4 +1,4 @@
-//! What became of each drawn mark of a layer of spots or stripes.
+//! The report on each drawn mark of a layer of spots or stripes.
 
 use crate::attributes::{Attributes, Stripes};
 use crate::grid::Field;
@@ -13,8 +13,8 @@ use crate::synth::report::covered::covered;
 use crate::synth::report::drawn::{DrawnMark, attributes_of, drawn_line, named};
 use crate::synth::report::stripe_along::{drawn_stripe, stripe_along};
 
-/// What became of each drawn mark of a layer, in the order in which they were drawn; `pattern` gives its pattern. Empty
-/// where none was to be among those that grow.
+/// For each drawn mark of a layer, in the order of drawing, how it has grown; `pattern` gives the pattern of the layer. Empty if no
+/// drawn mark was to be kept.
 #[must_use]
 pub fn drawn_marks(layer: &GrownMarks, pattern: &dyn Fn() -> Field) -> Vec<DrawnMark> {
     let mut marks = if layer.plan.pinned_lines().is_empty() { spots(layer) } else { lines(layer, pattern) };
@@ -47,7 +47,7 @@ fn spots(layer: &GrownMarks) -> Vec<DrawnMark> {
     pinned.chain(left_out(layer.corrections.left_out())).collect()
 }
 
-/// Drawn spots that find no room. Most are known before the layer grows.
+/// The report on drawn spots that find no room. Most are known before the layer grows.
 #[must_use]
 pub fn left_out(marks: &[LeftOut]) -> Vec<DrawnMark> {
     let mark = |left_out: &LeftOut| DrawnMark {
@@ -83,8 +83,7 @@ fn lines(layer: &GrownMarks, pattern: &dyn Fn() -> Field) -> Vec<DrawnMark> {
     plan.pinned_lines().iter().enumerate().map(mark).collect()
 }
 
-/// A note that names the drawn spots of `plan` that will not grow, with their places, before they grow; `None` where all find
-/// room beside each other.
+/// A note, before they grow, that names the drawn spots of `plan` that will not grow, with their places; `None` if all find room.
 #[must_use]
 pub fn expected_note(plan: &Plan) -> Option<String> {
     let left_out = left_out(plan.left_out());

@@ -1,4 +1,4 @@
-//! What was asked of spots and stripes, and what grew.
+//! The report of spots and stripes: what was asked for, and what grew.
 
 mod drawn;
 pub mod pinned;

@@ -1,10 +1,10 @@
-//! How far pinned spots are from their places.
+//! Distances of pinned spots from their places.
 
 use crate::attributes::regions::RegionGrid;
 use crate::measure::Spot;
 use crate::synth::marks::plan::pinned_marks::{PinnedMark, displacement};
 
-/// The distance from each pinned mark to the nearest of the grown `spots`, ÷ its radius.
+/// The distance from each pinned mark to the nearest of the grown `spots`, in radii.
 #[must_use]
 pub fn distances(pinned: &[PinnedMark], layout: &RegionGrid, spots: &[Spot]) -> Vec<f64> {
     let distance = |a: [f64; 2], b: [f64; 2]| {

@@ -14,8 +14,8 @@ use crate::synth::report::drawn::{self, DrawnMark};
 use crate::synth::report::pinned::{self, Stayed};
 use crate::synth::report::region::{RaggednessReport, RegionReport};
 
-/// The report of each region of a layer, row by row; `layer` is what has grown of layer `index` of `document`, `drawn` what
-/// became of its drawn marks.
+/// The report of each region of a layer, row by row; `layer` is the grown layer `index` of `document`, and `drawn` tells how its
+/// drawn marks have grown.
 #[must_use]
 pub fn regions(
     document: &Document,
@@ -63,7 +63,7 @@ fn region(
     let raggedness = layer.ragged.as_ref().map(|of| RaggednessReport { asked: of.asked, got: of.got[index] });
     error.extend(raggedness.and_then(|of| Some((Attribute::Raggedness, of.got? / of.asked - 1.0))));
     if lookup.seeding == Seeding::Initiators {
-        // Stripes run round the lines; no direction was asked.
+        // Lines along curves have no wanted direction.
         error.retain(|(attribute, _)| matches!(attribute, Attribute::Width | Attribute::Raggedness));
     }
     if marks == Some(0) {
@@ -100,8 +100,8 @@ fn region(
     }
 }
 
-/// What has grown, on the surface where there is one. Spots are measured there; of stripes it follows from what was `asked` and by which
-/// share they differ.
+/// The grown attributes, on the surface if there is one. Spots are measured there; for stripes the attributes follow from those
+/// `asked` for and the relative errors.
 fn got_on_surface(
     got: Attributes,
     asked: &Attributes,
@@ -120,7 +120,7 @@ fn got_on_surface(
     })
 }
 
-/// By region, the places of marks that have grown by half, px.
+/// By region, the places of half-grown marks, px.
 fn half_grown_by_region(layer: &GrownMarks) -> Vec<Vec<[f64; 2]>> {
     let layout = layer.plan.lookup.map.layout();
     let mut places = vec![Vec::new(); layout.len()];
@@ -128,7 +128,7 @@ fn half_grown_by_region(layer: &GrownMarks) -> Vec<Vec<[f64; 2]>> {
     places
 }
 
-/// A note that names the `places` of marks that have grown by half; `None` without any.
+/// A note that names the `places` of half-grown marks; `None` if there are none.
 fn half_grown_note(places: &[[f64; 2]]) -> Option<String> {
     let named: Vec<String> =
         places.iter().take(drawn::NAMED).map(|[x, y]| format!("({x:.0}, {y:.0})")).collect();
@@ -141,7 +141,7 @@ fn half_grown_note(places: &[[f64; 2]]) -> Option<String> {
         .then(|| format!("{what} at {}{more}; with another seed such places lie elsewhere", named.join(", ")))
 }
 
-/// By region, the number of whole spots that are two grown together; `None` of stripes.
+/// By region, the number of whole spots that are two merged ones; `None` for stripes.
 fn merged(layer: &GrownMarks) -> Option<Vec<usize>> {
     let Measured::Spots { .. } = &layer.measured else { return None };
     let layout = layer.plan.lookup.map.layout();
@@ -150,7 +150,7 @@ fn merged(layer: &GrownMarks) -> Option<Vec<usize>> {
     Some(merged)
 }
 
-/// The centres of the whole spots of a layer that are two grown together, px; none of stripes.
+/// The centres of the whole spots of a layer that are two merged ones, px; none for stripes.
 #[must_use]
 pub fn merged_spots(layer: &GrownMarks) -> Vec<[f64; 2]> {
     let merged = layer.measured.merged_spots(&layer.plan);
@@ -162,7 +162,7 @@ pub fn merged_spots(layer: &GrownMarks) -> Vec<[f64; 2]> {
     merged.filter(is_large).map(|spot| spot.ellipse.center).collect()
 }
 
-/// Two spots that grew together have more than this many times the area of one.
+/// Least area of two merged spots, relative to that of one.
 const TWICE: f64 = 1.6;
 
 fn parameters(layer: &GrownMarks, index: usize) -> Vec<(&'static str, f64)> {
@@ -174,7 +174,7 @@ fn parameters(layer: &GrownMarks, index: usize) -> Vec<(&'static str, f64)> {
             *value *= layer.correction[index];
         }
     }
-    // How many times farther apart than the system's own spacing its spots were placed.
+    // The pitch at which its spots were placed ÷ the system's own.
     if answer.pitch > 1.0 {
         named.push(("pitch", answer.pitch));
     }
@@ -185,7 +185,7 @@ fn parameters(layer: &GrownMarks, index: usize) -> Vec<(&'static str, f64)> {
     named
 }
 
-/// How much the spots of a region were to vary and do; `None` where none was to.
+/// The asked and the grown spread of the spots of a region; `None` if no spread was asked for.
 fn spread(layer: &GrownMarks, place: [usize; 2], index: usize) -> Option<(Spread, Option<Spread>)> {
     let asked = layer.plan.lookup.map.region(place).spread;
     if asked.is_zero() {
@@ -198,7 +198,7 @@ fn spread(layer: &GrownMarks, place: [usize; 2], index: usize) -> Option<(Spread
     Some((asked, got))
 }
 
-/// How many whole marks were measured (of spots), and their errors by attribute.
+/// The number of whole marks that were measured (for spots), and their errors by attribute.
 fn errors(measured: &Measured, index: usize) -> (Option<usize>, Vec<(Attribute, f64)>) {
     let (marks, named) = match measured {
         Measured::Spots { errors, .. } => {

@@ -27,28 +27,28 @@ use crate::synth::watch::Stage;
 pub struct PairsGrowth<'a> {
     setting: Setting<'a>,
     plan: PairPlan,
-    /// The documents of stripes that threads begin along where no phase has them, by direction.
+    /// The documents of stripes along which the threads of a direction without a phase begin, by direction.
     stripes: Vec<Document>,
-    /// Factors of the sizes, as corrected so far.
+    /// Factors of the sizes after the corrections so far.
     factors: Vec<f64>,
-    /// How often what grew was corrected.
+    /// Number of corrections so far.
     corrected: usize,
     /// Steps before this round, and the time of the rounds before, in 1/b.
     before: (u64, f64),
     state: State<'a>,
 }
 
-/// What is being done.
+/// The current part of the work.
 enum State<'a> {
     /// The pieces of a maze are laid.
     Pieces,
-    /// Lines are laid that the threads of this direction begin from.
+    /// Lines are laid from which the threads of this direction begin.
     Lines(usize, SeedLines),
-    /// Stripes grow along which the threads of this direction begin.
+    /// Stripes grow, along which the threads of this direction begin.
     Stripes(usize, SeedLines, Box<MarksGrowth<'a>>),
-    /// Pairs grow, in this round until this step.
+    /// Pairs grow, in this round until the step that it holds.
     Grow(Box<Round>),
-    /// They have grown.
+    /// The pairs are grown.
     Grown(Box<GrownPairs>),
     /// A step of the work has failed.
     Failed,
@@ -63,7 +63,7 @@ struct Round {
 }
 
 impl<'a> PairsGrowth<'a> {
-    /// Begins to grow `plan` above what has grown `beneath`.
+    /// Begins to grow `plan` above the layers `beneath`.
     pub fn begin(mut plan: PairPlan, index: usize, beneath: &Beneath, setting: Setting<'a>) -> Self {
         let obstacles = during(Section::LayOut, || obstacles(beneath, plan.grid.size, &|_| false));
         plan.obstacles = obstacles;
@@ -124,7 +124,7 @@ impl<'a> PairsGrowth<'a> {
         }
     }
 
-    /// Lays the pieces of a maze; what begins from noise begins.
+    /// Lays the pieces of a maze; systems that begin from noise begin to grow.
     fn lay_pieces(&mut self) {
         match self.plan.kind() {
             PairKind::Weave => self.state = State::Lines(0, SeedLines::none(&self.plan)),
@@ -189,12 +189,12 @@ impl<'a> PairsGrowth<'a> {
         self.state = State::Grow(Box::new(Round { growth, drawn, last }));
     }
 
-    /// How often what grows is corrected, at most.
+    /// Largest number of corrections.
     fn most_corrections(&self) -> usize {
         if self.setting.corrects { most_corrections(self.plan.kind()) } else { 0 }
     }
 
-    /// Measures what has grown; begins another round where a correction is worth it.
+    /// Measures the grown pairs; begins another round if a correction is useful.
     fn measure(&mut self, round: Round) -> Result<Advanced, LayerError> {
         let Round { growth, drawn, .. } = round;
         let plan = &self.plan;
@@ -235,7 +235,7 @@ impl<'a> PairsGrowth<'a> {
         Ok(Advanced::by(work))
     }
 
-    /// What is being done, and the share of it that is done.
+    /// The current stage of the work, and the share of it that is done.
     #[must_use]
     pub fn progress(&self) -> (Stage, f64) {
         match &self.state {
@@ -250,7 +250,7 @@ impl<'a> PairsGrowth<'a> {
         }
     }
 
-    /// Cell updates of `time`, in 1/b; the least part of the work while it is not growing.
+    /// Cell updates of `time`, in 1/b; the smallest part of the work while the layer is not growing.
     #[must_use]
     pub fn updates_in(&self, time: f64) -> u64 {
         match &self.state {
@@ -261,7 +261,7 @@ impl<'a> PairsGrowth<'a> {
         }
     }
 
-    /// The layer as it is now; `None` while it does not grow.
+    /// The current state of the layer; `None` while it does not grow.
     #[must_use]
     pub fn seen(&self) -> Option<Seen<'_>> {
         let State::Grow(round) = &self.state else { return None };
@@ -272,14 +272,14 @@ impl<'a> PairsGrowth<'a> {
         Some(seen(plan, growth, self.before.0))
     }
 
-    /// What has grown.
+    /// The grown pairs; `None` before the end.
     #[must_use]
     pub fn complete(self) -> Option<GrownPairs> {
         if let State::Grown(grown) = self.state { Some(*grown) } else { None }
     }
 }
 
-/// Pairs that grow, which took so many steps `before` this round.
+/// The growing pairs, after `before` steps of earlier rounds.
 pub(in crate::synth::pairs) fn seen<'s>(plan: &'s PairPlan, growth: &'s PairGrowth, before: u64) -> Seen<'s> {
     let shown = || -> Vec<Field> { plan.shown(growth.differences()) };
     Seen {

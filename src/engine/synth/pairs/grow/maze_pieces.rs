@@ -1,8 +1,8 @@
-//! The pieces of a maze: which direction each place is to have.
+//! The pieces of a maze: the direction that each place is to have.
 //!
-//! A region whose lines have one direction is one piece, so that a checkerboard of them is a basket weave. Elsewhere pieces are the
-//! Voronoi cells of Poisson discs, as large as the drawn lines are long. A piece in which lines were drawn has their direction,
-//! and others take the directions that are rarest so far. Around a drawn line the direction is always its own.
+//! A region whose lines have one direction is one piece, so that a checkerboard of such regions is a basket weave. Elsewhere pieces
+//! are the Voronoi cells of Poisson discs, as large as the drawn lines are long. A piece with drawn lines has their direction, and
+//! other pieces take the directions that are rarest so far. The direction around a drawn line is always that of the line.
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -18,12 +18,12 @@ use crate::synth::pairs::plan::thread_map::ThreadMap;
 
 /// Radius of the discs ÷ the size of the pieces: Voronoi cells of discs of radius 1 have an area of 1.43.
 const RADIUS: f64 = 0.83;
-/// Places along a drawn line at which it is counted.
+/// Places along a drawn line at which it is tested.
 const SAMPLES: usize = 32;
-/// How far from a drawn line its direction is kept, in distances of lines.
+/// Distance from a drawn line up to which its direction is kept, in distances of lines.
 const BESIDE: f64 = 0.75;
 
-/// The direction of each cell of the grid, by its number among the threads of `plan`.
+/// The direction of each cell of the grid, as the index of a thread of `plan`.
 pub(super) fn maze_pieces(plan: &PairPlan, seed: u64) -> Vec<u8> {
     let canvas = plan.canvas();
     let extent = Extent::from(canvas);
@@ -56,7 +56,7 @@ pub(super) fn maze_pieces(plan: &PairPlan, seed: u64) -> Vec<u8> {
         let most = votes.iter().copied().max().filter(|most| *most > 0)?;
         votes.iter().position(|votes| *votes == most)
     };
-    // Drawn pieces first, so that the others make up for them.
+    // Pieces with drawn lines first, so that the others balance them.
     for (piece, votes) in drawn.iter().enumerate() {
         if let Some(direction) = most_drawn(votes) {
             (of_piece[piece], used[direction]) = (direction, used[direction] + 1);

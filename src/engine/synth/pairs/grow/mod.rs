@@ -1,4 +1,4 @@
-//! Plans of pairs → what they grow.
+//! The growth of pairs from their plan.
 
 mod growing;
 mod maze_pieces;
@@ -17,10 +17,10 @@ use crate::synth::profile::{Section, during};
 pub use growing::PairsGrowth;
 pub(in crate::synth::pairs) use growing::seen;
 
-/// Time from the start, and after a correction, in 1/b. After 8 and 6, errors of widths of 40 random weaves
-/// were the same; after 20 and 10 the widths of five differed by less than a hundredth.
+/// Time from the start, and after a correction, in 1/b. After 8 and 6, the errors of the widths of 40 random weaves did not change;
+/// after 20 and 10 the widths of five differed by less than a hundredth.
 const TIMES: [f64; 2] = [7.0, 4.0];
-/// Time of all parts of a growth that is corrected, with that of the start, in 1/b.
+/// Total time of a growth that is corrected, including the start, in 1/b.
 #[must_use]
 pub fn whole_time(kind: PairKind) -> f64 {
     let [first, second] = times(kind);
@@ -28,8 +28,8 @@ pub fn whole_time(kind: PairKind) -> f64 {
     start + first + if most_corrections(kind) > 0 { second } else { 0.0 }
 }
 
-/// How often what grew is corrected by growing again, at most; of mazes and stucco the level alone is corrected. Stripes with tips
-/// begin from noise each time.
+/// Largest number of corrections by growing again. For mazes and stucco only the threshold is corrected. Stripes with tips begin
+/// from noise each time.
 fn most_corrections(kind: PairKind) -> usize {
     match kind {
         PairKind::Weave => SAME_WIDTH.len(),
@@ -46,27 +46,28 @@ fn times(kind: PairKind) -> [f64; 2] {
     }
 }
 
-/// The width that is asked for is corrected by a factor between these: what differs more has merged or is dying, and no width mends it.
+/// Range of the correction factor of the width: a pair with a larger error has merged or vanishes, which no change of the width
+/// repairs.
 const CORRECTED: [f64; 2] = [0.8, 1.25];
-/// The levels of a maze between which that of its width is sought, in those at which X is 0: beyond, lines break or merge.
+/// Range of the threshold of a maze, relative to that at which X is 0: beyond it lines break or merge.
 const LEVELS: [f32; 2] = [0.3, 1.7];
-/// Most steps of that search.
+/// Most steps of the search for this threshold.
 const LEVEL_ROUNDS: usize = 8;
-/// Mean widths that differ by less than this share need no other level.
+/// Relative difference of mean widths below which no other threshold is tried.
 const SAME_LEVEL: f32 = 0.002;
-/// Widths that differ by less than this share are not corrected: once, and once more.
+/// Relative errors of the width below which it is not corrected, for the first and the second time.
 const SAME_WIDTH: [f64; 2] = [0.015, 0.04];
-/// Periods of pair stripes that differ by less are not: they would be grown from noise again.
+/// Relative error of the period of pair stripes below which it is not corrected: a correction starts again from noise.
 const SAME_PERIOD: f64 = 0.015;
 
-/// A growth as planned, with sizes by these `factors`, see [`PairPlan::maps`].
+/// A planned growth, with sizes by these `factors`, see [`PairPlan::maps`].
 pub fn begin(plan: &PairPlan, factors: &[f64], start: &PairStart) -> PairGrowth {
     let maps = during(Section::Parameters, || plan.maps(factors));
     let model = plan.model(&maps);
     during(Section::Coefficients, || PairGrowth::new(&maps, &model, start)).expect("maps of one grid")
 }
 
-/// Measures the threads of each direction, whose edges lie at these `levels`.
+/// Measures the threads of each direction, whose edges are at these thresholds (`levels`).
 fn measure(plan: &PairPlan, differences: &[Field], levels: &[f32]) -> Vec<StripeErrors> {
     if plan.kind() != PairKind::Weave {
         return measure_pieces(plan, &differences[0], levels[0]);
@@ -84,7 +85,7 @@ fn measure(plan: &PairPlan, differences: &[Field], levels: &[f32]) -> Vec<Stripe
     plan.threads.iter().zip(differences).zip(levels).map(of).collect()
 }
 
-/// Measures what one field shows: of a maze the pieces of each direction.
+/// Measures one shown field; for a maze the pieces of each direction.
 fn measure_pieces(plan: &PairPlan, shown: &Field, level: f32) -> Vec<StripeErrors> {
     if plan.kind() == PairKind::Stucco {
         return vec![measure_blotches(plan, shown, level)];
@@ -113,16 +114,16 @@ fn measure_blotches(plan: &PairPlan, shown: &Field, level: f32) -> StripeErrors 
     }
 }
 
-/// The level at which lines and blotches of one shown field are as wide as they are wanted, by the rule of false position.
+/// The threshold at which lines and blotches of one shown field have the wanted width, by the rule of false position.
 fn level_of_width(plan: &PairPlan, shown: &Field) -> f32 {
     let off = |level: f32| {
         let errors = measure_pieces(plan, shown, level).into_iter().filter_map(|of| of.width);
         let all: Vec<f64> = errors.collect();
-        // Where nothing is left, all is too thin.
+        // If nothing is left, everything is too thin.
         if all.is_empty() { -1.0 } else { (all.iter().sum::<f64>() / all.len() as f64) as f32 }
     };
     let own = plan.levels()[0];
-    // They are narrower the higher the level.
+    // The higher the threshold, the narrower they are.
     let [mut low, mut high] = LEVELS.map(|level| level * own);
     let (mut level, mut error) = (own, off(own));
     let mut before: Option<[f32; 2]> = None;
@@ -140,8 +141,8 @@ fn level_of_width(plan: &PairPlan, shown: &Field) -> f32 {
     level
 }
 
-/// Corrects the `factors` of widths, of pair stripes those of periods, by what grew after so many corrections `before`. Returns whether any
-/// differs enough.
+/// Corrects the `factors` of widths (for pair stripes of periods) by the measured errors, after `before` earlier corrections.
+/// Returns whether any error is large enough.
 fn correct(plan: &PairPlan, measured: &[StripeErrors], factors: &mut [f64], before: usize) -> bool {
     let stripes = plan.kind() == PairKind::Stripes;
     let same = if stripes { SAME_PERIOD } else { SAME_WIDTH[before] };

@@ -8,7 +8,7 @@ use crate::synth::pairs::plan::PairPlan;
 /// A drawn line beside a cell.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NearestLine {
-    /// Its direction, by number among the threads.
+    /// Its direction, as the index of a thread.
     pub direction: usize,
     /// Its distance from the cell, px.
     pub away: f64,

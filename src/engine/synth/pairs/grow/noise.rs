@@ -1,4 +1,4 @@
-//! The noise that pair stripes and stucco begin from, and the drawn lines in it.
+//! The initial noise of pair stripes and stucco, and the drawn lines in it.
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -8,7 +8,7 @@ use crate::rd::pairs::PairKind;
 use crate::synth::pairs::grow::nearest_line::{NearestLine, nearest_lines};
 use crate::synth::pairs::plan::PairPlan;
 
-/// From a drawn line on, the noise begins at this share of the period: nearer, the next line would not keep its distance.
+/// Distance from a drawn line at which the noise begins, in periods: if it were closer, the next line would not keep its distance.
 const BESIDE: f64 = 0.5;
 
 /// The reaction at each cell, 0..1: white noise; on the drawn lines of pair stripes 1, and beside them 0.

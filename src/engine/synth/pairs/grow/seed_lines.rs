@@ -1,7 +1,8 @@
-//! The lines that threads begin from: as wide and as far apart as they are wanted, all over the canvas.
+//! The initial lines of threads: with the wanted width and distance, all over the canvas.
 //!
-//! Threads follow the crests of a phase with their directions and distances, see [`ThreadPhase`]. Where there is none, stripes are
-//! grown that have these everywhere and run through the drawn lines; each thread then begins along the middle of a stripe.
+//! Threads follow the crests of a phase with their directions and distances, see [`ThreadPhase`]. If there is no such phase,
+//! stripes with these directions and distances are grown through the drawn lines; each thread then begins along the middle of a
+//! stripe.
 
 use std::f64::consts::TAU;
 
@@ -13,20 +14,20 @@ use crate::synth::pairs::grown::ThreadPhase;
 use crate::synth::pairs::plan::PairPlan;
 use crate::synth::pairs::plan::thread_map::ThreadMap;
 
-/// What threads begin from.
+/// The initial state of threads.
 pub(super) struct SeedLines {
     /// The reaction at each cell, 0..1: 1 on a line.
     pub reaction: Vec<f32>,
-    /// By how much the threshold is raised at each cell, in K₀: nowhere on the lines and beside them, and between them so much that
-    /// no other thread grows and that these stay where they are. Curved threads would move to the inside of the curve otherwise.
-    /// Empty of a maze, which grows between its pieces.
+    /// Increase of the threshold at each cell, in K₀. It is 0 on the lines and beside them. Between them it is so large that no other
+    /// thread grows and that these stay where they are: otherwise curved threads would move to the inside of the curve. Empty for a
+    /// maze, which grows between its pieces.
     pub raised: Vec<f32>,
 }
 
-/// Distances from the middle of a line, in its widths, from which on the threshold is raised, and up to which fully. Edges lie at
-/// one half.
+/// Distances from the middle of a line, in its widths, between which the increase of the threshold rises from 0 to its full value.
+/// Edges are at one half.
 const FREE: [f64; 2] = [0.65, 1.0];
-/// By how much the threshold is raised between lines, in K₀: more than any difference is.
+/// Increase of the threshold between lines, in K₀: larger than any difference.
 const RAISED: f64 = 1.0;
 
 impl SeedLines {
@@ -38,7 +39,7 @@ impl SeedLines {
         Self { reaction: vec![0.0; cells], raised }
     }
 
-    /// Adds the lines of one `direction`, by the distance of each cell from the middle of one, px: of a maze on its own pieces.
+    /// Adds the lines of one `direction`, by the distance of each cell from the middle of one, px; for a maze on its own pieces.
     pub(super) fn add(&mut self, plan: &PairPlan, direction: usize, from_middle: &[f32]) {
         let threads = &plan.threads[direction];
         let line = |(cell, from_middle): (usize, &f32)| {
@@ -61,7 +62,7 @@ impl SeedLines {
         }
     }
 
-    /// Takes the lines away that lie on marks of the layers beneath.
+    /// Removes the parts of lines on marks of the layers beneath.
     pub(super) fn beside_obstacles(&mut self, plan: &PairPlan) {
         for (value, taken) in self.reaction.iter_mut().zip(&plan.obstacles) {
             *value *= f32::from(u8::from(!taken));
@@ -69,8 +70,8 @@ impl SeedLines {
     }
 }
 
-/// The distance of each cell from the middle of a line of these threads, px; `None` where they follow no phase, so that stripes
-/// have to be grown.
+/// The distance of each cell from the middle of a line of these threads, px; `None` if they follow no phase, so that stripes have
+/// to be grown.
 pub(super) fn from_phase(threads: &ThreadMap, plan: &PairPlan) -> Option<Vec<f32>> {
     let phase = ThreadPhase::new(threads, &plan.canvas())?;
     Some(along_crests(&phase, plan))
@@ -81,21 +82,21 @@ fn along_crests(phase: &ThreadPhase, plan: &PairPlan) -> Vec<f32> {
     let cell = plan.px_a_cell();
     let distance = |index: usize| {
         let [x, y] = plan.grid.center_px(index);
-        let turns = phase.turns_at([x, y]);
-        // The wave vector there, turns a px.
+        let periods = phase.periods_at([x, y]);
+        // The wave vector there, periods per px.
         let slope = [[0.5 * cell, 0.0], [0.0, 0.5 * cell]].map(|[dx, dy]| {
-            let [ahead, behind] = [1.0, -1.0].map(|side| phase.turns_at([x + side * dx, y + side * dy]));
+            let [ahead, behind] = [1.0, -1.0].map(|side| phase.periods_at([x + side * dx, y + side * dy]));
             (ahead - behind) / cell
         });
         let slope = (slope[0] * slope[0] + slope[1] * slope[1]).sqrt().max(f64::MIN_POSITIVE);
-        ((turns - turns.round()).abs() / slope) as f32
+        ((periods - periods.round()).abs() / slope) as f32
     };
     (0..plan.grid.cells()).into_par_iter().map(distance).collect()
 }
 
-/// Stripes → the distance of each cell from their middles, px.
+/// The distance of each cell from the middles of the stripes in `pattern`, px.
 ///
-/// Across a stripe the pattern is about ½ + ½ cos of the turn from its middle.
+/// Across a stripe the pattern is about ½ + ½ cos of the phase from its middle.
 pub(super) fn from_middles(pattern: &Field, threads: &ThreadMap, plan: &PairPlan) -> Vec<f32> {
     let distance = |(index, value): (usize, &f32)| {
         let turns = libm::acos((2.0 * f64::from(*value) - 1.0).clamp(-1.0, 1.0)) / TAU;

@@ -1,4 +1,4 @@
-//! What systems of pairs have grown.
+//! Grown layers of systems of pairs.
 
 mod over;
 mod pattern;
@@ -12,22 +12,24 @@ use crate::grid::Field;
 use crate::measure::StripeErrors;
 use crate::synth::pairs::plan::PairPlan;
 
-/// What pairs have grown.
+/// A grown layer of pairs.
 #[derive(Clone)]
 pub struct GrownPairs {
-    /// How it was planned.
+    /// The plan from which it grew.
     pub plan: PairPlan,
     /// Steps taken.
     pub steps: u64,
-    /// What shows the threads, on the grid: the difference C₊ − C₋ of each pair; of the others one field for all, see [`PairPlan::shown`].
+    /// The fields that show the threads, on the grid: for a weave the difference C₊ − C₋ of each pair; for other systems one field,
+    /// see [`PairPlan::shown`].
     pub differences: Vec<Field>,
-    /// The threads of each direction over the whole canvas, of a maze over its pieces, against what was asked at each place.
+    /// The measured threads of each direction over the whole canvas (for a maze over its pieces), against the wanted ones at each
+    /// place.
     pub measured: Vec<StripeErrors>,
-    /// The levels of the differences at which edges lie.
+    /// The thresholds of the differences at which edges lie.
     pub levels: Vec<f32>,
-    /// The concentrations of each morphogen on the grid, where the [`Options`](crate::synth::Options) asked for them.
+    /// The concentrations of each morphogen on the grid, if the [`Options`](crate::synth::Options) asked for them.
     pub concentrations: Vec<Vec<f32>>,
-    /// Which threads lie over the others; `None` where all are as high.
+    /// For each crossing, the thread on top; `None` if all threads have the same height.
     pub over: Option<OverUnder>,
 }
 
@@ -38,7 +40,7 @@ impl GrownPairs {
         PairPattern::new(&self.differences, &self.levels).with(self.over.clone())
     }
 
-    /// The pattern of the threads of one direction at any size; of a maze that of all.
+    /// The pattern of the threads of one direction at any size; for a maze that of all directions.
     #[must_use]
     pub fn pattern_of(&self, direction: usize) -> PairPattern {
         if self.differences.len() < self.plan.threads.len() {

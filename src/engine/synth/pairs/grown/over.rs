@@ -1,8 +1,8 @@
-//! Which thread of a weave lies over the other where they cross, and how it rises and sinks between.
+//! The thread on top at each crossing of a weave, and the heights of threads between crossings.
 //!
-//! Threads are counted by the phases that they grew along: thread i of one direction lies between the turns i − ½ and i + ½. Where
-//! thread i crosses thread j, the [order](Over) says which is over. The lift of a thread is 1 at the crossings where it is over, −1
-//! where it is under, and changes smoothly between.
+//! Threads are numbered by the phases along which they grew: thread i of one direction lies between the phases i − ½ and i + ½, in
+//! periods. Where thread i crosses thread j, the [order](Over) decides which is over. The lift of a thread is 1 at the crossings
+//! where it is over, −1 where it is under, and changes smoothly between.
 
 use std::ops::Range;
 
@@ -14,13 +14,13 @@ use crate::rd::pairs::MOST_PAIRS;
 use crate::synth::pairs::grown::phase::ThreadPhase;
 use crate::synth::pairs::plan::thread_map::ThreadMap;
 
-/// The most by which a thread rises above its edges where it is under another, in pattern values; where it is over, it rises by ½. At its
-/// edges it is as steep as ever, so that they stay where they are.
+/// The largest height of a thread above its edges, in pattern values, where it is under another; where it is over, it rises by ½.
+/// Its slope at the edges is not changed, so that they stay where they are.
 const UNDER: f32 = 0.15;
-/// What the crossings with other threads count at least, so that the lift is known everywhere.
+/// Least weight of the crossings with other threads, so that the lift is known everywhere.
 const FAR: f32 = 1e-3;
 
-/// Over and under at all crossings of a weave.
+/// The order of the threads at all crossings of a weave.
 #[derive(Clone, Debug)]
 pub struct OverUnder {
     order: Over,
@@ -29,8 +29,8 @@ pub struct OverUnder {
 }
 
 impl OverUnder {
-    /// The crossings of these `threads`; `None` where all are as high, or threads of one direction cannot be counted: they run in
-    /// circles or as rays.
+    /// The crossings of these `threads`; `None` if all have the same height, or if threads of one direction cannot be numbered
+    /// because they run in circles or as rays.
     #[must_use]
     pub fn new(order: Over, seed: u64, threads: &[ThreadMap], canvas: &Bounds) -> Option<Self> {
         if order == Over::Level {
@@ -40,7 +40,7 @@ impl OverUnder {
         Some(Self { order, seed, phases: phases.collect::<Option<_>>()? })
     }
 
-    /// What is wrong at the border of a tile: threads are counted along it, and the order begins anew there.
+    /// A note on the border of a tile: threads are numbered along the canvas, and the order begins again at the border.
     #[must_use]
     pub fn note(&self) -> Option<String> {
         let every = match self.order {
@@ -48,46 +48,48 @@ impl OverUnder {
             Over::Plain => 2,
             Over::Twill21 => 3,
             Over::Twill22 => 4,
-            // Each thread has a number of its own on either side.
+            // On either side each thread has a number of its own.
             Over::Random => i64::MAX,
         };
-        let turns: Vec<[i64; 2]> = self.phases.iter().filter_map(ThreadPhase::turns_round_tile).collect();
+        let periods: Vec<[i64; 2]> = self.phases.iter().filter_map(ThreadPhase::periods_round_tile).collect();
         let closes = |axis: usize| {
-            let each = turns.iter().map(|turns| turns[axis]);
+            let each = periods.iter().map(|periods| periods[axis]);
             let mut sums =
                 each.clone().enumerate().flat_map(|(k, a)| each.clone().skip(k + 1).map(move |b| a + b));
             sums.all(|sum| sum.rem_euclid(every) == 0)
         };
-        let closes = turns.is_empty() || (closes(0) && closes(1));
+        let closes = periods.is_empty() || (closes(0) && closes(1));
         (!closes).then(|| {
             let numbers = "the numbers of threads that cross the borders of the tile do not suit the order of crossings";
             format!("{numbers}: it has a seam there; make the canvas a thread wider or higher, or choose another order")
         })
     }
 
-    /// The pattern of rows `rows` at `width` × `height` px: the highest thread at each px, by the pattern of each direction alone.
+    /// The pattern of rows `rows` at `width` × `height` px: the highest thread at each px, from the pattern of each direction
+    /// `alone`.
     #[must_use]
     pub fn rows(&self, alone: &[Vec<f32>], rows: Range<usize>, width: usize, height: usize) -> Vec<f32> {
-        let turns = self.phases.iter().map(|phase| phase.rows(rows.clone(), width, height));
-        let turns: Vec<Vec<f32>> = turns.collect();
+        let phases = self.phases.iter().map(|phase| phase.rows(rows.clone(), width, height));
+        let phases: Vec<Vec<f32>> = phases.collect();
         let value = |px: usize| {
             let here = |of: &[Vec<f32>]| -> [f32; MOST_PAIRS] {
                 let mut all = [0.0; MOST_PAIRS];
                 all.iter_mut().zip(of).for_each(|(all, of)| *all = of[px]);
                 all
             };
-            self.highest(&here(alone)[..alone.len()], &here(&turns)[..alone.len()])
+            self.highest(&here(alone)[..alone.len()], &here(&phases)[..alone.len()])
         };
         (0..rows.len() * width).into_par_iter().map(value).collect()
     }
 
-    /// The highest thread at a place, where each direction `alone` has these pattern values and `turns`.
-    fn highest(&self, alone: &[f32], turns: &[f32]) -> f32 {
+    /// The pattern value of the highest thread at a place, where the directions have the pattern values `alone` and these
+    /// `phases`, in periods.
+    fn highest(&self, alone: &[f32], phases: &[f32]) -> f32 {
         let value = |(pair, value): (usize, &f32)| match *value > 0.5 {
-            // Beside threads there is nothing to lift, so that edges stay where they are.
+            // There is nothing to lift beside threads, so that edges stay where they are.
             false => *value,
             true => {
-                let (height, over) = (value - 0.5, 0.5 + 0.5 * self.lift(pair, turns));
+                let (height, over) = (value - 0.5, 0.5 + 0.5 * self.lift(pair, phases));
                 let flat = height / (1.0 + (height / UNDER) * (height / UNDER)).sqrt();
                 0.5 + over * height + (1.0 - over) * flat
             }
@@ -95,12 +97,12 @@ impl OverUnder {
         alone.iter().enumerate().map(value).fold(0.0, f32::max)
     }
 
-    /// How high the thread of direction `pair` lies at a place with these `turns`, −1..1.
-    fn lift(&self, pair: usize, turns: &[f32]) -> f32 {
-        let own = turns[pair].round() as i64;
+    /// The lift of the thread of direction `pair` at a place with these `phases`, −1..1.
+    fn lift(&self, pair: usize, phases: &[f32]) -> f32 {
+        let own = phases[pair].round() as i64;
         let [mut sum, mut weights] = [0.0; 2];
-        for (other, turns) in turns.iter().enumerate().filter(|(other, _)| *other != pair) {
-            let (before, way) = (turns.floor() as i64, turns - turns.floor());
+        for (other, phase) in phases.iter().enumerate().filter(|(other, _)| *other != pair) {
+            let (before, way) = (phase.floor() as i64, phase - phase.floor());
             let smooth = way * way * (3.0 - 2.0 * way);
             let side = |crossed: i64| if self.is_over([pair, other], [own, crossed]) { 1.0 } else { -1.0 };
             let near = (2.0 * way - 1.0) * (2.0 * way - 1.0);
@@ -137,7 +139,7 @@ impl OverUnder {
 mod tests {
     use super::*;
 
-    /// How many of the 144 crossings of 12 and 12 threads have a thread of the first direction over.
+    /// Number of crossings, of the 144 of 12 and 12 threads, where a thread of the first direction is on top.
     fn over(order: Over) -> usize {
         let over = OverUnder { order, seed: 3, phases: Vec::new() };
         let crossings = (0..144i64).map(|k| [k / 12 - 6, k % 12 - 6]);
@@ -161,10 +163,10 @@ mod tests {
     #[test]
     fn a_thread_is_high_at_the_crossings_where_it_is_over_and_low_where_it_is_under() {
         let plain = OverUnder { order: Over::Plain, seed: 0, phases: Vec::new() };
-        for (turns, lift) in [([0.0, 0.0], 1.0), ([0.0, 1.0], -1.0), ([1.0, 1.0], 1.0), ([0.0, 0.5], 0.0)] {
-            assert!((plain.lift(0, &turns) - lift).abs() < 1e-6, "{turns:?}: {}", plain.lift(0, &turns));
-            // The other thread of the crossing is as low as this one is high.
-            assert!((plain.lift(1, &turns) + lift).abs() < 1e-6 || turns[1] == 0.5, "{turns:?}");
+        for (phases, lift) in [([0.0, 0.0], 1.0), ([0.0, 1.0], -1.0), ([1.0, 1.0], 1.0), ([0.0, 0.5], 0.0)] {
+            assert!((plain.lift(0, &phases) - lift).abs() < 1e-6, "{phases:?}: {}", plain.lift(0, &phases));
+            // At a crossing the lift of the other thread is the opposite.
+            assert!((plain.lift(1, &phases) + lift).abs() < 1e-6 || phases[1] == 0.5, "{phases:?}");
         }
     }
 }

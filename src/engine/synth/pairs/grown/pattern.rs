@@ -1,4 +1,4 @@
-//! The pattern of what pairs have grown: 0 = ground, ½ = an edge, 1 = the middle of a thread.
+//! The pattern of grown pairs: 0 = ground, ½ = an edge, 1 = the middle of a thread.
 
 use std::ops::Range;
 
@@ -21,19 +21,19 @@ pub struct PairPattern {
 /// The difference of one pair.
 struct Pair {
     surface: Spline,
-    /// What counts as the middle of a thread.
+    /// The value that counts as the middle of a thread.
     peak: f32,
-    /// The level of the edge ÷ the peak.
+    /// The threshold of the edge ÷ the peak.
     level: f32,
 }
 
-/// Of the values above the level, this share lies below the middle of a thread.
+/// The share of the values above the threshold that lies below the middle of a thread.
 const MIDDLE: f64 = 0.9;
-/// The highest level ÷ peak, where hardly anything lies above the level.
+/// The highest threshold ÷ peak, for fields with hardly any value above the threshold.
 const HIGHEST: f32 = 0.9;
 
 impl PairPattern {
-    /// The pattern of at least one pair; the edges of each lie at one of the `levels` of its difference.
+    /// The pattern of at least one pair; its edges are at the threshold of its difference in `levels`.
     #[must_use]
     pub fn new(differences: &[Field], levels: &[f32]) -> Self {
         let first = &differences[0];

@@ -4,12 +4,12 @@
 //! Σ (φⱼ − φᵢ − kᵢⱼ·(xⱼ − xᵢ))² + Σ w (φᵢ − 2πn)² → least,  k = 2π/p · (−sin θ, cos θ)
 //! ```
 //!
-//! The first sum goes over neighbouring nodes: the gradient of φ is as near as can be to the wave vector of the lines with
-//! direction θ and distance p. The second goes over the nodes at drawn lines, each of which gets a crest of its own, number n. Solved
-//! by conjugate gradients (Hestenes and Stiefel, "Methods of conjugate gradients for solving linear systems", 1952).
+//! The first sum is over neighbouring nodes: the gradient of φ approximates the wave vector of the lines with direction θ and
+//! distance p. The second sum is over the nodes at drawn lines, each of which gets a crest of its own, number n. Solved by
+//! conjugate gradients (Hestenes and Stiefel, "Methods of conjugate gradients for solving linear systems", 1952).
 //!
-//! Where directions turn all round a point, or lines spread like rays at an even distance, no such phase exists: the result then
-//! differs from what is wanted and is refused.
+//! If directions rotate once around a point, or if lines spread like rays at an even distance, no such phase exists: the result
+//! then differs from the wanted directions and is refused.
 
 use std::collections::BinaryHeap;
 use std::f64::consts::TAU;
@@ -24,23 +24,23 @@ use crate::synth::pairs::plan::thread_map::ThreadMap;
 
 /// Nodes along the longer side.
 const NODES: f64 = 128.0;
-/// w: a drawn line holds its crest more firmly than the directions hold the phase.
+/// w: the weight of a drawn line's crest, larger than that of the directions.
 const HOLD: f64 = 1.0;
 /// The conjugate gradients end where the residual is this share of the first one.
 const RESIDUAL: f64 = 1e-7;
-/// Square of a residual that counts as none at a node, (10⁻⁵ radians)².
+/// Square of a residual that counts as zero at a node, (10⁻⁵ radians)².
 const LEAST: f64 = 1e-10;
 /// Most steps of the conjugate gradients.
 const STEPS: usize = 2_000;
-/// How far the gradient of the phase may be from the wave vector, as a share of it, in the median of the nodes.
+/// Largest relative difference between the gradient of the phase and the wave vector, in the median of the nodes.
 const OFF_MEDIAN: f64 = 0.12;
-/// The deviation that 95 % of the nodes do not exceed.
+/// Largest relative difference at 95 % of the nodes.
 const OFF_95: f64 = 0.4;
-/// How far drawn lines may lie from their crests at the root mean square, in periods.
+/// Largest root mean square distance of drawn lines from their crests, in periods.
 const BESIDE: f64 = 0.12;
 
-/// Neighbours whose waves are to opposite sides, at most: those round the centre of rings. Where directions turn by half round a
-/// point, a whole row of nodes is.
+/// Largest number of neighbours with opposite wave vectors: those around the centre of rings. Where directions rotate by half a
+/// turn around a point, a whole row of nodes has them.
 const CENTRE: usize = 12;
 
 /// The phase of the threads of one direction.
@@ -56,7 +56,7 @@ pub struct ThreadPhase {
 }
 
 impl ThreadPhase {
-    /// The phase of `threads` on the canvas; `None` where there is none that has their directions and distances.
+    /// The phase of `threads` on the canvas; `None` if no phase has their directions and distances.
     #[must_use]
     pub fn new(threads: &ThreadMap, canvas: &Bounds) -> Option<Self> {
         let nodes = Nodes::new(threads, canvas)?;
@@ -75,14 +75,14 @@ impl ThreadPhase {
         })
     }
 
-    /// How often threads cross the borders of a tile along x and y; `None` where edges are closed.
+    /// Number of threads that cross the borders of a tile along x and y; `None` if edges are closed.
     #[must_use]
-    pub fn turns_round_tile(&self) -> Option<[i64; 2]> {
-        let turns = [0, 1].map(|axis| (self.wave[axis] * self.size[axis] / TAU).round() as i64);
-        (self.edges == Edges::Wrap).then_some(turns)
+    pub fn periods_round_tile(&self) -> Option<[i64; 2]> {
+        let periods = [0, 1].map(|axis| (self.wave[axis] * self.size[axis] / TAU).round() as i64);
+        (self.edges == Edges::Wrap).then_some(periods)
     }
 
-    /// The phase of rows `rows` at `width` × `height` px over the whole canvas, in turns.
+    /// The phase of rows `rows` at `width` × `height` px over the whole canvas, in periods.
     #[must_use]
     pub fn rows(&self, rows: Range<usize>, width: usize, height: usize) -> Vec<f32> {
         let mut all = self.bent.rows(rows.clone(), width, height);
@@ -97,15 +97,15 @@ impl ThreadPhase {
         all
     }
 
-    /// The phase at a point, px, in turns: a whole number on a crest.
+    /// The phase at a point, px, in periods: a whole number on a crest.
     #[must_use]
-    pub fn turns_at(&self, point: [f64; 2]) -> f64 {
+    pub fn periods_at(&self, point: [f64; 2]) -> f64 {
         let plane = self.wave[0] * point[0] + self.wave[1] * point[1];
         (plane + f64::from(self.bent.at(point))) / TAU
     }
 }
 
-/// Wave vectors at the nodes of a grid over the canvas, radians a px, all to the same side.
+/// Wave vectors at the nodes of a grid over the canvas, radians per px, all oriented to one side.
 struct Nodes {
     grid: Grid,
     waves: Vec<[f64; 2]>,
@@ -125,7 +125,7 @@ struct Crest {
 }
 
 impl Nodes {
-    /// `None` where the wave vectors have no consistent side.
+    /// `None` if the wave vectors cannot be oriented consistently.
     fn new(threads: &ThreadMap, canvas: &Bounds) -> Option<Self> {
         let longer = canvas.size[0].max(canvas.size[1]);
         let size = canvas.size.map(|side| ((NODES * side / longer).round() as usize).max(4));
@@ -146,7 +146,7 @@ impl Nodes {
         orient(&grid, &mut waves).then_some(Self { grid, waves })
     }
 
-    /// The mean wave vector; on a tile the nearest one that goes round a whole number of times.
+    /// The mean wave vector; on a tile the nearest one with a whole number of periods.
     fn mean_wave(&self) -> [f64; 2] {
         [0, 1].map(|axis| {
             let mean = self.waves.iter().map(|wave| wave[axis]).sum::<f64>() / self.waves.len() as f64;
@@ -176,7 +176,8 @@ impl Nodes {
         links
     }
 
-    /// The crests at the drawn lines, where these are kept: each line takes the one that is nearest to it in a phase without them.
+    /// The crests at the drawn lines, if these are kept: each line takes the crest that is nearest to it in a phase without the
+    /// lines.
     fn crests(&self, threads: &ThreadMap, free: &[f64], wave: [f64; 2]) -> Vec<Crest> {
         if !threads.keeps_lines() {
             return Vec::new();
@@ -217,7 +218,7 @@ impl Nodes {
         crests
     }
 
-    /// Whether the gradient of the phase is near to the wave vectors.
+    /// Whether the gradient of the phase is close to the wave vectors.
     fn fits(&self, phase: &[f64], wave: [f64; 2]) -> bool {
         let off = |node: usize| {
             let mut off = 0.0;
@@ -241,12 +242,12 @@ fn same_side(a: [f64; 2], b: [f64; 2]) -> bool {
     a[0] * b[0] + a[1] * b[1] >= 0.0
 }
 
-/// Turns each wave vector to the side of its neighbour, where they are most alike first. Returns whether all agree then, but for
-/// the centre of rings.
+/// Reverses wave vectors so that they agree with their neighbours, the most similar ones first. Returns whether all agree then,
+/// except at the centre of rings.
 fn orient(grid: &Grid, waves: &mut [[f64; 2]]) -> bool {
     const STEPS: [[i32; 2]; 4] = [[1, 0], [0, 1], [-1, 0], [0, -1]];
     let mut known = vec![false; waves.len()];
-    // By likeness, at most 1, in millionths; then by node.
+    // By similarity, at most 1, in millionths; then by node.
     let mut next = BinaryHeap::from([(0, 0, 0)]);
     while let Some((_, node, from)) = next.pop() {
         if std::mem::replace(&mut known[node], true) {
@@ -273,13 +274,13 @@ fn cosine(a: [f64; 2], b: [f64; 2]) -> f64 {
     square(a, b) / (square(a, a) * square(b, b)).sqrt()
 }
 
-/// How far crests lie from the lines that they belong to, at the root mean square, in turns.
+/// Root mean square distance of crests from the lines that they belong to, in periods.
 fn beside(phase: &[f64], crests: &[Crest]) -> f64 {
     let squares = crests.iter().map(|crest| ((phase[crest.node] - crest.phase) / TAU).powi(2)).sum::<f64>();
     (squares / crests.len().max(1) as f64).sqrt()
 }
 
-/// The phases that meet the links and the crests best.
+/// The phases that satisfy the links and the crests best.
 fn solve(grid: &Grid, links: &[Link], crests: &[Crest]) -> Vec<f64> {
     let cells = grid.cells();
     let apply = |x: &[f64]| {
@@ -303,7 +304,7 @@ fn solve(grid: &Grid, links: &[Link], crests: &[Crest]) -> Vec<f64> {
         residual[crest.node] += HOLD * crest.phase;
     }
     if crests.is_empty() {
-        // A phase is known up to a constant: without its part of the rounding errors, these stay small.
+        // A phase is known up to a constant: without the constant part of the rounding errors, the errors stay small.
         let mean = residual.iter().sum::<f64>() / cells as f64;
         residual.iter_mut().for_each(|residual| *residual -= mean);
     }
@@ -348,11 +349,11 @@ mod tests {
             .expect("lines")
     }
 
-    /// How far each line lies from a crest at most, in turns.
+    /// Largest distance of each line from a crest, in periods.
     fn off(phase: &ThreadPhase, threads: &ThreadMap) -> Vec<f64> {
         let of_point = |point| {
-            let turns = phase.turns_at(point);
-            (turns - turns.round()).abs()
+            let periods = phase.periods_at(point);
+            (periods - periods.round()).abs()
         };
         let of_line = |line: &Path| line.samples(40).iter().map(|s| of_point(s.point)).fold(0.0, f64::max);
         threads.lines.iter().map(|(_, line)| of_line(line)).collect()
@@ -389,14 +390,14 @@ mod tests {
         let across = [-(0.1f64.atan().sin()), 0.1f64.atan().cos()];
         for at in [[30.0, 40.0], [300.0, 200.0]] {
             let next = [at[0] + period * across[0], at[1] + period * across[1]];
-            let turns = phase.turns_at(next) - phase.turns_at(at);
-            assert!((turns.abs() - 1.0).abs() < 0.01, "{turns}");
+            let periods = phase.periods_at(next) - phase.periods_at(at);
+            assert!((periods.abs() - 1.0).abs() < 0.01, "{periods}");
         }
         let tile = threads(lines, Edges::Wrap);
         let phase = ThreadPhase::new(&tile, &Bounds { edges: Edges::Wrap, ..CANVAS }).expect("a phase");
         for at in [[0.0, 77.0], [0.0, 200.0]] {
-            let turns = phase.turns_at([400.0, at[1]]) - phase.turns_at(at);
-            assert!((turns - turns.round()).abs() < 1e-3, "{turns}");
+            let periods = phase.periods_at([400.0, at[1]]) - phase.periods_at(at);
+            assert!((periods - periods.round()).abs() < 1e-3, "{periods}");
         }
     }
 

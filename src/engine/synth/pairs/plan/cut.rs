@@ -1,13 +1,13 @@
-//! A difference from noise → a field whose edges lie at 1.
+//! Scales a difference field that grew from noise so that its edges lie at 1.
 
 use rayon::prelude::*;
 
 use crate::grid::Field;
 
-/// The share of a field's lowest values that count as ground, 0 in what is shown.
+/// The share of a field's lowest values that counts as ground, 0 in the shown field.
 const GROUND: f64 = 0.02;
 
-/// The values of a field in rising order.
+/// The values of a field in ascending order.
 pub(super) struct Sorted(Vec<f32>);
 
 impl Sorted {
@@ -17,18 +17,19 @@ impl Sorted {
         Self(sorted)
     }
 
-    /// The value below which this share of all lies.
+    /// The value below which this share of all values lies.
     pub(super) fn quantile(&self, share: f64) -> f32 {
         self.0[((share * self.0.len() as f64) as usize).min(self.0.len() - 1)]
     }
 }
 
-/// The share of a field's highest values that count as the middles of lines.
+/// The share of a field's highest values that counts as the middles of lines.
 const MIDDLE: f64 = 0.02;
 
-/// The field, so scaled at each cell that its ground is 0, and 1 the value above which the share `duty` of the cell of all values lies.
+/// The field, scaled at each cell so that its ground is 0, and 1 is the value that the share `duty` (at that cell) of all values
+/// exceeds.
 ///
-/// With a `usual` duty the middles of all lines are as high as those of lines of this duty: else thin ones would be paler.
+/// With a `usual` duty the middles of all lines have the height of lines of this duty: otherwise thin lines would be paler.
 pub(super) fn cut_by_duty(field: &Field, duty: impl Fn(usize) -> f64 + Sync, usual: Option<f64>) -> Field {
     let sorted = Sorted::new(field);
     let edge = |duty: f64| sorted.quantile(1.0 - duty);
@@ -47,7 +48,7 @@ pub(super) fn cut_by_duty(field: &Field, duty: impl Fn(usize) -> f64 + Sync, usu
     shown
 }
 
-/// The field, so scaled at each cell that its ground is 0 and the value `edge` of the cell 1.
+/// The field, scaled at each cell so that its ground is 0 and the value `edge` of the cell becomes 1.
 pub(super) fn cut(field: &Field, sorted: &Sorted, edge: impl Fn(usize) -> f32 + Sync) -> Field {
     let ground = sorted.quantile(GROUND);
     let value = |(cell, value): (usize, &f32)| {

@@ -1,4 +1,4 @@
-//! By what the sizes of pairs differ from their laws, by the rows of their system.
+//! Factors between the sizes of pairs and their laws, from the rows of their system.
 
 use super::thread_map::ThreadMap;
 use super::{PairForm, PairPlan};
@@ -13,7 +13,7 @@ pub(super) fn factors(plan: &PairPlan, rows: &PairSet) -> Vec<Vec<f64>> {
     (0..plan.threads.len()).map(|pair| all.iter().map(|node| node[pair]).collect()).collect()
 }
 
-/// What `rows` say of each pair at node number `node`.
+/// The answers of `rows` for each pair at node number `node`.
 fn answers(plan: &PairPlan, rows: &PairSet, node: usize) -> Vec<PairAnswer> {
     let at = plan.nodes.center(plan.nodes.place(node));
     let threads = super::threads_at(&plan.threads, at);
@@ -35,30 +35,30 @@ pub(super) fn angles_at(threads: &[ThreadMap], at: [f64; 2]) -> Vec<f64> {
     threads.iter().map(|threads| threads.at(at).angle).collect()
 }
 
-/// What `rows` say of thread `pair` of all `threads` of a weave, which have these `angles` in degrees.
+/// The answer of `rows` for thread `pair` of all `threads` of a weave, which have these `angles` in degrees.
 pub(super) fn weave_answer(rows: &PairSet, threads: &[Threads], angles: &[f64], pair: usize) -> PairAnswer {
     let Crossed { others, unequal } = crossed(threads, pair);
     rows.ask(threads.len(), &[threads[pair].duty(), others, unequal, least_between(angles)])
 }
 
 impl PairPlan {
-    /// What `rows` say of each pair in the middle of the canvas.
+    /// The answers of `rows` for each pair in the middle of the canvas.
     #[must_use]
     pub fn answers(&self, rows: &PairSet) -> Vec<PairAnswer> {
         answers(self, rows, self.nodes.len() / 2)
     }
 }
 
-/// What a thread crosses.
+/// The threads that a thread crosses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossed {
-    /// The share of it that the others cover.
+    /// The share of it that the other threads cover.
     pub others: f64,
-    /// The geometric mean of the periods of the others ÷ its own.
+    /// The geometric mean of the periods of the other threads ÷ its own.
     pub unequal: f64,
 }
 
-/// What thread `pair` of all `threads` crosses.
+/// The threads that thread `pair` of all `threads` crosses.
 #[must_use]
 pub fn crossed(threads: &[Threads], pair: usize) -> Crossed {
     let others = || threads.iter().enumerate().filter(|(other, _)| *other != pair).map(|(_, other)| other);
@@ -67,7 +67,7 @@ pub fn crossed(threads: &[Threads], pair: usize) -> Crossed {
     Crossed { others: 1.0 - free, unequal: libm::exp(logs / others().count().max(1) as f64) }
 }
 
-/// The smallest angle between two of these directions, degrees; 90 of one alone.
+/// The smallest angle between two of these directions, degrees; 90 for a single one.
 #[must_use]
 pub fn least_between(angles: &[f64]) -> f64 {
     let pairs =

@@ -8,29 +8,30 @@ use crate::grid::Field;
 use crate::rd::pairs::{Combination, PairModel, Threads};
 use crate::synth::report::NOTED;
 
-/// e of the pairs of a maze, of two directions and of more: with 2 three directions are twisted, and with 3 two make long pieces that
-/// their neighbours turn (`facts.md` H).
+/// e of the pairs of a maze, of two directions and of more. With 2, mazes of three directions are twisted; with 3, mazes of two
+/// directions have long pieces that their neighbours rotate (`facts.md` H).
 const ELONGATIONS: [f32; 2] = [2.0, 3.0];
 /// Distance of the lines of a maze ÷ Λ: lines of one direction, from noise, are .935 Λ apart (`facts.md` H).
 const PERIOD: f64 = 0.935;
-/// w/K₀ of a maze: softer steps let pieces of one direction grow at the cost of others.
+/// w/K₀ of a maze: with softer steps pieces of one direction grow at the cost of others.
 const SOFTNESS: f32 = 0.02;
-/// By how much max Dᵢ + min Dᵢ of a maze is raised, in K₀: in the middle of the ground it is about −0.5 K₀.
+/// Constant added to max Dᵢ + min Dᵢ of a maze, in K₀: in the middle of the ground the sum is about −0.5 K₀.
 const RAISED: f32 = 0.5;
 
-/// Size of the pieces, in distances of lines, at least: of smaller ones less than nine tenths keep their direction (`facts.md` H: 2.5 Λ).
+/// Least size of the pieces, in distances of lines: of smaller pieces less than nine tenths keep their direction (`facts.md` H: 2.5
+/// Λ).
 const LEAST_LINES: f64 = 2.7;
-/// Size of the pieces, in shorter sides of the canvas, at most: so that all directions are seen.
+/// Largest size of the pieces, in shorter sides of the canvas: all directions should be visible.
 const MOST_SIDES: f64 = 0.4;
 
-/// Width ÷ period of the lines of a maze. Of sketches of two and three directions, thinner ones were 0.31 to 0.32 and wider ones 0.68 to 0.70:
-/// at other levels they break or merge.
+/// Width ÷ period of the lines of a maze. In sketches of two and three directions, thinner ones reached 0.31 to 0.32 and wider ones
+/// 0.68 to 0.70: at other thresholds they break or merge.
 const DUTIES: [f64; 2] = [0.32, 0.69];
 
-/// What only a maze has.
+/// The part of a plan that only mazes have.
 #[derive(Clone, Debug, Default)]
 pub struct MazeForm {
-    /// The direction that each cell is to have, by its number among the threads; empty until it is laid out.
+    /// The direction that each cell is to have, as the index of a thread; empty until it is laid out.
     pub pieces: Vec<u8>,
 }
 
@@ -39,14 +40,14 @@ pub(super) fn size(threads: &Threads) -> f64 {
     threads.period / (PERIOD * base_model().wavelength())
 }
 
-/// The mean width of these threads that a maze can have, px. Those whose duty a map varies are cut as wide as they are wanted.
+/// The nearest mean width of these threads that a maze can have, px. If a map varies the duty, it is the wanted width.
 pub(super) fn reached(threads: &ThreadMap) -> f64 {
     let asked = threads.mean();
     let [least, most] = if threads.mean_duty().is_some() { [0.0, 1.0] } else { DUTIES };
     asked.width / asked.duty() * asked.duty().clamp(least, most)
 }
 
-/// What to know of threads that are thinner or wider than the lines of a maze can be.
+/// A note on threads that are thinner or wider than the lines of a maze can be.
 pub(super) fn note(threads: &ThreadMap) -> Option<String> {
     let (asked, reached) = (threads.mean(), reached(threads));
     let [least, most] = DUTIES.map(|duty| 100.0 * duty);
@@ -75,17 +76,17 @@ pub(super) fn length_of_pieces(threads: &[ThreadMap], canvas: [f64; 2]) -> f64 {
     mean.min(MOST_SIDES * width.min(height)).max(least)
 }
 
-/// e of the pairs of so many `directions`.
+/// e of the pairs of a maze with this number of `directions`.
 pub(super) fn elongation(directions: usize) -> f32 {
     ELONGATIONS[usize::from(directions > 2)]
 }
 
-/// The level of the [`shown`] field at which X is 0.
+/// The threshold of the [`shown`] field at which X is 0.
 pub(super) fn level() -> f32 {
     RAISED * base_model().peak_gain()
 }
 
-/// max Dᵢ + min Dᵢ, whose sign is that of the reaction's X, raised so that the ground is 0.
+/// max Dᵢ + min Dᵢ, which has the sign of the reaction's X, plus a constant so that the ground is 0.
 pub(super) fn shown(differences: &[Field]) -> Vec<Field> {
     let Some((first, others)) = differences.split_first() else { return Vec::new() };
     let value = |(cell, first): (usize, &f32)| {

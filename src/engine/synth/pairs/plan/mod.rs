@@ -34,7 +34,7 @@ use crate::synth::drawn::sketch_targets::marks;
 use cut::cut_by_duty;
 use thread_map::ThreadMap;
 
-/// Cells of the smallest size s: of fewer than 1.5, edges stick to the grid (`facts.md` T).
+/// Cells per smallest size s: with fewer than 1.5, edges stick to the grid (`facts.md` T).
 const CELLS: f64 = 1.75;
 /// d: 1.5 gives clean lines (`facts.md` H).
 pub(in crate::synth) const RATIO: f32 = 1.5;
@@ -48,25 +48,25 @@ const NODES: usize = 16;
 pub struct PairPlan {
     /// The grid over the canvas, px.
     pub grid: Grid,
-    /// What is wanted of each direction; of pair stripes and stucco there is one.
+    /// The wanted threads of each direction; for pair stripes and stucco there is one.
     pub threads: Vec<ThreadMap>,
-    /// Places at which sizes are known, by their centres.
+    /// Nodes at whose centres sizes are computed.
     nodes: RegionGrid,
-    /// By what the size of each pair at each node differs from its law, as learnt.
+    /// Factor between the size and its law for each pair at each node, from training rows.
     learnt: Vec<Vec<f64>>,
     /// Cells that the marks of the layers beneath have taken; empty = none.
     pub obstacles: Vec<bool>,
-    /// By how much the threshold is raised at each cell, in K₀; empty = nowhere.
+    /// Increase of the threshold at each cell, in K₀; empty = 0 everywhere.
     pub raised: Vec<f32>,
-    /// What the user should know.
+    /// Notes for the user.
     pub notes: Vec<String>,
-    /// What it grows, and what only this has.
+    /// The kind of pattern, with what is particular to it.
     pub form: PairForm,
-    /// Which threads of a weave lie over the others.
+    /// Rule that tells which threads of a weave lie over the others.
     pub over: Over,
 }
 
-/// What pairs grow, and what only this has.
+/// The kind of pattern of pairs, with what is particular to it.
 #[derive(Clone, Debug)]
 pub enum PairForm {
     /// Threads that cross.
@@ -80,11 +80,12 @@ pub enum PairForm {
 }
 
 impl PairPlan {
-    /// Reads layer `index` of a document named `source`, on a canvas of `size` px. `rows` say how far the laws of its system are off.
+    /// Reads layer `index` of a document named `source`, on a canvas of `size` px. `rows` hold the errors of the laws of its
+    /// system.
     ///
     /// # Errors
-    /// Its marks are no lines, or of a weave and a maze these have one direction or more than [`MOST_PAIRS`], or a rule of layers is
-    /// broken: file, place, what is allowed.
+    /// Its marks are no lines; or the lines of a weave or a maze have one direction or more than [`MOST_PAIRS`]; or a rule of
+    /// layers is broken: file, place, what is allowed.
     pub fn read(
         document: &Document,
         index: usize,
@@ -97,7 +98,7 @@ impl PairPlan {
         let below = if index == 0 { Beneath::Nothing } else { Beneath::Unknown };
         let layer = &document.layers[index];
         let combination = Combination::new(layer, marks.first().map(Kind::from), below);
-        // Threads where `auto` finds that lines cross have smooth edges, too.
+        // A weave that `auto` chooses because lines cross has smooth edges, too.
         let options = LayerOptions { ragged: layer.options.ragged, ..LayerOptions::default() };
         let of_pairs = Combination { system: SystemChoice::Of(kind.description()), options, ..combination };
         let place = format!("layers[{index}]");
@@ -183,7 +184,7 @@ impl PairPlan {
         Self::by_laws(PairForm::Stucco(form), threads, nodes, canvas, Vec::new()).corrected_by(rows)
     }
 
-    /// The plan before its grid is known, by laws alone.
+    /// The plan before its grid is known, by the laws alone.
     fn by_laws(
         form: PairForm,
         threads: Vec<ThreadMap>,
@@ -214,7 +215,7 @@ impl PairPlan {
         self
     }
 
-    /// What it grows.
+    /// The kind of pattern that it grows.
     #[must_use]
     pub fn kind(&self) -> PairKind {
         match self.form {
@@ -243,7 +244,7 @@ impl PairPlan {
         self.grid.bounds_px()
     }
 
-    /// The direction that is asked for at a point, px, by its number among the threads: of a maze that of its piece.
+    /// The direction that is asked for at a point, px, as the index of a thread; for a maze that of its piece.
     #[must_use]
     pub fn piece_at(&self, point: [f64; 2]) -> usize {
         let PairForm::Maze(MazeForm { pieces }) = &self.form else { return 0 };
@@ -256,7 +257,7 @@ impl PairPlan {
         maze::length_of_pieces(&self.threads, self.canvas().size)
     }
 
-    /// The mean width that these threads grow where it is not the one that is asked for: of a maze the nearest that it can have.
+    /// The mean width with which these threads grow if it differs from the one asked for: for a maze the nearest possible one.
     #[must_use]
     pub fn reached(&self, threads: &ThreadMap) -> f64 {
         match self.form {
@@ -271,12 +272,12 @@ impl PairPlan {
         self.obstacles.get(self.grid.cell_at(self.grid.to_cells(point))).copied().unwrap_or(false)
     }
 
-    /// Whether threads are cut from what is grown, as wide as a map says.
+    /// Whether threads are cut out of the grown field with the width that a map gives.
     fn is_cut(&self) -> bool {
         self.threads.iter().any(|threads| threads.mean_duty().is_some())
     }
 
-    /// The level of each [shown](Self::shown) field at which the edges of its threads lie.
+    /// The threshold of each [shown](Self::shown) field at the edges of its threads.
     #[must_use]
     pub fn levels(&self) -> Vec<f32> {
         match &self.form {
@@ -288,12 +289,13 @@ impl PairPlan {
         }
     }
 
-    /// The fields that show what has grown, by the `differences` of all pairs: of a weave these, of the others one for all.
+    /// The fields that show the grown pattern, from the `differences` of all pairs: for a weave these differences, for other
+    /// systems a single field.
     #[must_use]
     pub fn shown(&self, differences: Vec<Field>) -> Vec<Field> {
         match (&self.form, self.threads.first()) {
-            // The reaction of pair stripes has the threshold 0 and half of the cells are above it, so that all are cut as wide as they
-            // are wanted.
+            // The reaction of pair stripes has the threshold 0, and half of the cells are above it. So all stripes are cut to the
+            // wanted width.
             (PairForm::Stripes, Some(threads)) => vec![self.cut(&differences[0], |_| threads)],
             (PairForm::Maze(_), _) if self.is_cut() => {
                 let piece = |point| &self.threads[self.piece_at(point)];
@@ -309,7 +311,7 @@ impl PairPlan {
         }
     }
 
-    /// A field so scaled that its lines are cut at 1 as wide as the threads at each point, px, are wanted.
+    /// A field scaled so that a cut at 1 gives its lines the width of the threads that are wanted at each point, px.
     fn cut<'a>(&self, field: &Field, threads: impl Fn([f64; 2]) -> &'a ThreadMap + Sync) -> Field {
         let duty = |cell: usize| {
             let point = self.grid.center_px(cell);
@@ -349,8 +351,8 @@ impl PairPlan {
         self.sizes(&vec![1.0; self.threads.len()]).iter().map(|sizes| sizes[middle]).collect()
     }
 
-    /// Directions and sizes at each cell, by direction: for threads of a weave `factors` times as wide as they are wanted, for pair
-    /// stripes of so many times the period.
+    /// Directions and sizes at each cell, by direction: for threads of a weave with `factors` times the wanted width, for pair
+    /// stripes with `factors` times the wanted period.
     #[must_use]
     pub fn maps(&self, factors: &[f64]) -> PairParameterField {
         let sizes = self.sizes(factors);
@@ -367,7 +369,7 @@ impl PairPlan {
         }
     }
 
-    /// The form of the blurs of a pair whose `largest` size is this, where that of all pairs is `of_all`.
+    /// The form of the blurs of a pair whose largest size is `largest`; `of_all` is the largest size of all pairs.
     fn blurs(&self, largest: f64, of_all: f64) -> Blurs {
         match self.form {
             PairForm::Weave(_) => Blurs::Along(WeaveForm::elongation(largest, of_all)),
@@ -377,7 +379,7 @@ impl PairPlan {
         }
     }
 
-    /// Updates of one morphogen in one cell that a growth for `time`, in 1/b, takes; on one grid where it is `above` other layers.
+    /// Updates of one morphogen in one cell in a growth for `time`, in 1/b; on one grid if it is `above` other layers.
     #[must_use]
     pub fn updates(&self, time: f64, above: bool) -> f64 {
         let sizes = self.sizes(&vec![1.0; self.threads.len()]);
@@ -445,8 +447,8 @@ fn base_model() -> PairModel {
     }
 }
 
-/// Threads varied by the maps of layer `index`. A direction that replaces what was drawn is that of the first threads; the others keep
-/// their angle to these.
+/// Threads varied by the maps of layer `index`. A direction that replaces the drawn one applies to the first threads; the others
+/// keep their angle to these.
 fn varied(threads: Vec<ThreadMap>, document: &Document, index: usize, size: [f64; 2]) -> Vec<ThreadMap> {
     let Some(by) = modulation(document, index, size) else { return threads };
     let first = threads.first().map_or(0.0, |threads| threads.mean().angle);
@@ -462,7 +464,7 @@ fn threads_at(threads: &[ThreadMap], point: [f64; 2]) -> Vec<Threads> {
     threads.iter().map(|threads| threads.grown_at(point)).collect()
 }
 
-/// The places at which threads are looked up: one where all are even.
+/// The places at which threads are looked up: a single one if they are equal everywhere.
 fn nodes(threads: &[ThreadMap], canvas: &Bounds) -> RegionGrid {
     let [width, height] = canvas.size;
     let even = threads.iter().all(|threads| threads.map().nodes().len() == 1 || threads.is_even());

@@ -1,14 +1,14 @@
-//! Plans of pair stripes: one pair from noise, whose lines end in tips.
+//! Plans of pair stripes: one pair that grows from noise, with lines that end in tips.
 
 use super::base_model;
 use crate::rd::pairs::{PairModel, PairParameterField, Threads};
 
-/// e: 2 as in Witkin and Kass's zebra. The longer the blurs, the straighter the lines and the fewer their tips.
+/// e: 2 as for Witkin and Kass's zebra. The longer the blurs, the straighter the lines and the fewer their tips.
 const ELONGATION: f32 = 2.0;
-/// Distance of the lines ÷ Λ: after a time of 14 lines from noise are .81 to .86 Λ apart (`facts.md` X).
+/// Distance of the lines ÷ Λ: after a time of 14 lines from noise are 0.81 to 0.86 Λ apart (`facts.md` X).
 const PERIOD: f64 = 0.83;
 
-/// The size s of the pair of these threads, px, for periods `factor` times as long as they are wanted.
+/// The size s of the pair of these threads, px, for periods of `factor` times the wanted ones.
 pub(super) fn size(threads: &Threads, factor: f64) -> f64 {
     size_of_period(factor * threads.period)
 }

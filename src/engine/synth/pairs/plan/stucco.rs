@@ -1,4 +1,4 @@
-//! Plans of stucco: one round pair from noise.
+//! Plans of stucco: one isotropic pair that grows from noise.
 
 use super::base_model;
 use super::cut::{Sorted, cut};
@@ -6,14 +6,14 @@ use crate::grid::Field;
 use crate::marks::{Mark, Path};
 use crate::rd::pairs::{PairModel, PairParameterField, Stucco, Threads};
 
-/// Share of the canvas that blotches cover at decay 0, from noise.
+/// Share of the canvas that blotches from noise cover at decay 0.
 const COVERED: f64 = 0.46;
-/// By how much it falls to decay 1.
+/// Decrease of this share from decay 0 to decay 1.
 const UNCOVERED: f64 = 0.2;
 /// Distance of worms from noise ÷ Λ.
 const PERIOD: f64 = 0.935;
 
-/// What only stucco has.
+/// The part of a plan that only stucco has.
 #[derive(Clone, Copy, Debug)]
 pub struct StuccoForm {
     /// 1 − the last gain ÷ the first.
@@ -26,7 +26,7 @@ impl StuccoForm {
         COVERED - UNCOVERED * self.decay
     }
 
-    /// The difference, so scaled that 1 is the last threshold, where the edges of blotches lie.
+    /// The difference, scaled so that 1 is the last threshold, at which the edges of blotches lie.
     pub(super) fn shown(self, difference: &Field) -> Field {
         let level = Stucco::last_threshold(self.decay) as f32 * base_model().peak_gain();
         cut(difference, &Sorted::new(difference), |_| level)
@@ -44,7 +44,7 @@ pub(super) fn size(threads: &Threads) -> f64 {
     threads.period / (PERIOD * base_model().wavelength())
 }
 
-/// A line as wide as a mark: of an ellipse its longer axis, as wide as the shorter one.
+/// A line with the width of a mark: for an ellipse its longer axis, with the width of the shorter one.
 pub(super) fn line(mark: &Mark) -> Path {
     match mark.ellipse() {
         None => mark.path().unwrap_or(Path { points: Vec::new(), width: 1.0 }),

@@ -1,4 +1,4 @@
-//! What is wanted of the threads of one direction, at any place.
+//! The wanted threads of one direction, at any place.
 
 use crate::attributes::modulation::{Modulated, Modulation};
 use crate::attributes::periods::PeriodRules;
@@ -8,13 +8,13 @@ use crate::grid::Bounds;
 use crate::marks::{Mark, Path, turn};
 use crate::rd::pairs::Threads;
 
-/// Share of the canvas that threads of each direction cover where lines are not drawn side by side: of two directions, of more. From
-/// noise two cover 0.28 each at a threshold of 0.15 (`facts.md` T); three of 0.2 leave half of the canvas free.
+/// Share of the canvas that threads of each direction cover if lines are not drawn side by side, for two directions and for more.
+/// Two directions from noise cover 0.28 each at a threshold of 0.15 (`facts.md` T); three of 0.2 leave half of the canvas free.
 pub const OWN_DUTY: [f64; 2] = [0.28, 0.2];
-/// Directions that differ by less than this, degrees, and periods that differ by less than this share, count as the same: one
-/// size is then enough for the whole canvas.
+/// Directions that differ by less than this, degrees, count as equal. With equal directions and periods (see [`EVEN`]) one size
+/// suffices for the whole canvas.
 const STRAIGHT: f64 = 1.0;
-/// Share by which periods that count as the same differ at most, see [`STRAIGHT`].
+/// Relative difference of periods below which they count as equal.
 const EVEN: f64 = 0.02;
 /// Places along a side at which widths are looked up for their mean.
 const SAMPLES: usize = 16;
@@ -26,15 +26,15 @@ pub struct ThreadMap {
     pub lines: Vec<(usize, Path)>,
     /// Width, period and direction at each place.
     map: AttributeMap,
-    /// How much farther apart they are than drawn, where they would cover too much.
+    /// Factor by which they are farther apart than drawn, because they would cover too much.
     pub widened: f64,
-    /// Where a map varies the duty, its mean over the canvas.
+    /// If a map varies the duty, its mean over the canvas.
     mean_duty: Option<f64>,
 }
 
 impl ThreadMap {
     /// Reads the `lines` of one direction of a layer with these `options`, on a canvas of `size` px; their places are those on the
-    /// document's own canvas. The `rules` say which periods they can want.
+    /// document's own canvas. The `rules` give the periods that they can have.
     #[must_use]
     pub fn new(
         document: &Document,
@@ -59,7 +59,8 @@ impl ThreadMap {
         Some(Self { lines: lines.iter().map(moved).collect(), map, widened: 1.0, mean_duty: None })
     }
 
-    /// This map varied by the maps of its layer. Where these replace directions, by the one they say turned by `turned` degrees.
+    /// This map varied by the maps of its layer. If these replace directions, the direction is the one of the map plus `turned`
+    /// degrees.
     #[must_use]
     pub fn varied(self, by: &Modulation, turned: f64) -> Self {
         let map = self.map.modulated(by.turned(turned));
@@ -67,21 +68,21 @@ impl ThreadMap {
         Self { map, mean_duty, ..self }
     }
 
-    /// Where a map varies the share of the period that threads cover, its mean over the canvas.
+    /// If a map varies the share of the period that threads cover, the mean of this share over the canvas.
     #[must_use]
     pub fn mean_duty(&self) -> Option<f64> {
         self.mean_duty
     }
 
-    /// Width and period of the threads that are grown at a point, px: where a map varies the duty, of its mean, for a system of pairs has one
-    /// threshold everywhere; as wide as they are wanted they are cut from these.
+    /// Width and period of the threads that are grown at a point, px. If a map varies the duty, these threads have its mean, since
+    /// a system of pairs has one threshold everywhere; the wanted width is cut from them.
     #[must_use]
     pub fn grown_at(&self, point: [f64; 2]) -> Threads {
         let threads = self.threads_at(point);
         Threads { width: self.mean_duty.map_or(threads.width, |duty| duty * threads.period), ..threads }
     }
 
-    /// Whether threads run along the drawn lines: not where maps vary them, for lines are examples then, not places.
+    /// Whether threads run along the drawn lines. False if maps vary them: lines are then examples and have no fixed places.
     #[must_use]
     pub fn keeps_lines(&self) -> bool {
         !self.map.is_modulated()
@@ -93,7 +94,7 @@ impl ThreadMap {
         self.of(self.map.at(point))
     }
 
-    /// What is wanted, with the period of these threads.
+    /// The `wanted` stripes, with the period of these threads.
     fn of(&self, wanted: Attributes) -> Stripes {
         let Attributes::Stripes(stripes) = wanted else { unreachable!("made of lines") };
         Stripes { wavelength: Some(self.widened * stripes.width / stripes.duty()), ..stripes }
@@ -118,7 +119,7 @@ impl ThreadMap {
         &self.map
     }
 
-    /// What is wanted of it as a whole: at the centre of the middle region; of free marks their mean.
+    /// The threads of the layer as a whole: at the centre of the middle region; for free marks their mean.
     #[must_use]
     pub fn mean(&self) -> Stripes {
         let layout = self.map.layout();

@@ -9,23 +9,23 @@ use crate::learn::PairSet;
 use crate::rd::pairs::{Course, MOST_PAIRS, PairModel, PairParameterField, Threads};
 use crate::synth::pairs::plan::thread_map::ThreadMap;
 
-/// e of the pair of a weave with the largest size: with 2, three directions merged to pebbles (`facts.md` H). The blurs of the others are as long,
-/// up to the second e.
+/// e of the pair of a weave with the largest size: with 2, three directions merged to pebbles (`facts.md` H). The blurs of the
+/// other pairs have this length, too, up to the second value of e.
 const ELONGATIONS: [f64; 2] = [3.0, 8.0];
-/// Highest θ/K₀ of two directions, near 0.25 threads were lost, and of more, where they died at 0.2 (`facts.md` T).
+/// Highest θ/K₀ of two directions (near 0.25 threads were lost), and of more (at 0.2 they vanished) (`facts.md` T).
 const HIGHEST: [f64; 2] = [0.2, 0.12];
-/// Highest θ/K₀ ÷ the share of a thread that the others leave free, of two directions and of more: what the others cover is lost to the
-/// difference of the pair. At .33, sparse threads across dense ones broke and died.
+/// Highest θ/K₀ ÷ the share of a thread that the others leave free, for two directions and for more: the part that the others cover
+/// does not contribute to the difference of the pair. At 0.33, sparse threads across dense ones broke and vanished.
 const HIGHEST_FREE: [f64; 2] = [0.27, 0.21];
 /// θ/K₀ of threads for which none is found.
 const LOWEST: f64 = 0.03;
-/// The share that three and more directions leave free, at least: at .33 threads were a tenth too wide and gaps became round, at .44
+/// Least share that three and more directions leave free: at 0.33 threads were a tenth too wide and gaps became round, at 0.44
 /// widths were right within two hundredths.
 const LEAST_FREE: f64 = 0.4;
 /// The periods of threads that cover too much are widened in these steps, up to this factor.
 const WIDENED: [f64; 2] = [1.04, 4.0];
 
-/// What only a weave has.
+/// The part of a plan that only weaves have.
 #[derive(Clone, Debug)]
 pub struct WeaveForm {
     /// θ/K₀ of each direction.
@@ -33,7 +33,7 @@ pub struct WeaveForm {
 }
 
 impl WeaveForm {
-    /// The thresholds of these threads; threads that leave no gaps are moved apart, and a note says so.
+    /// The thresholds for these threads. Threads that leave no gaps are moved apart, with a note.
     pub(super) fn new(
         threads: &mut [ThreadMap],
         nodes: &RegionGrid,
@@ -61,20 +61,20 @@ impl WeaveForm {
         Self { thresholds }
     }
 
-    /// The size s of pair `pair` of `all` threads at one place, px, for threads `factor` times as wide as they are wanted.
+    /// The size s of pair `pair` of `all` threads at one place, px, for threads of `factor` times the wanted width.
     pub(super) fn size(&self, all: &[Threads], pair: usize, factor: f64) -> f64 {
         let asked = Threads { width: all[pair].width * factor, ..all[pair] };
         let fits = asked.size(&base_model(), self.thresholds[pair], uncovered(all, pair));
-        // Threads that keep no width at this threshold: the size at which their period has the largest gain.
+        // For threads that keep no width at this threshold: the size at which their period has the largest gain.
         fits.unwrap_or(asked.period / base_model().wavelength())
     }
 
-    /// e of a pair whose largest size is `largest`, where that of all pairs is `of_all`.
+    /// e of a pair whose largest size is `largest`; `of_all` is the largest size of all pairs.
     pub(super) fn elongation(largest: f64, of_all: f64) -> f32 {
         (ELONGATIONS[0] * of_all / largest).clamp(ELONGATIONS[0], ELONGATIONS[1]) as f32
     }
 
-    /// The level of the difference of each pair at which the edges of its threads lie.
+    /// The threshold of the difference of each pair at the edges of its threads.
     pub(super) fn levels(&self) -> Vec<f32> {
         self.thresholds.iter().map(|threshold| *threshold as f32 * base_model().peak_gain()).collect()
     }

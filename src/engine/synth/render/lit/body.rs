@@ -1,4 +1,4 @@
-//! Bodies, how they are turned, and where a ray meets them.
+//! Bodies, their rotation, and the intersection with a ray.
 
 use super::maps::Maps;
 use super::vector::{cross, dot, normalised};
@@ -24,7 +24,7 @@ impl Body {
         [(Self::Plane, "Plane"), (Self::Sphere, "Sphere"), (Self::Cylinder, "Cylinder")];
 }
 
-/// How a body is seen.
+/// The direction from which a body is seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
     /// Degrees about the vertical, to the right.
@@ -40,7 +40,7 @@ impl Default for Pose {
 }
 
 impl Pose {
-    /// Turned by a drag over so many points.
+    /// This pose, rotated by a drag over this distance in points.
     #[must_use]
     pub fn turned(self, [x, y]: [f32; 2]) -> Self {
         /// Degrees a point.
@@ -74,14 +74,14 @@ impl Turn {
         Self { yaw: of(pose.yaw), pitch: of(pose.pitch) }
     }
 
-    /// From the body to the view.
+    /// Transforms a vector from the body to the view.
     pub(super) fn out(&self, [x, y, z]: [f32; 3]) -> [f32; 3] {
         let ([sin, cos], [down, level]) = (self.yaw, self.pitch);
         let [x, z] = [cos * x + sin * z, cos * z - sin * x];
         [x, level * y - down * z, level * z + down * y]
     }
 
-    /// From the view to the body.
+    /// Transforms a vector from the view to the body.
     pub(super) fn back(&self, [x, y, z]: [f32; 3]) -> [f32; 3] {
         let ([sin, cos], [down, level]) = (self.yaw, self.pitch);
         let [y, z] = [level * y + down * z, level * z - down * y];
@@ -89,14 +89,14 @@ impl Turn {
     }
 }
 
-/// What the ray at a point of the view, which runs straight away from the viewer, meets first.
+/// The first intersection of the ray at a point of the view, which runs straight away from the viewer.
 pub(super) fn cast(maps: &Maps, body: Body, turn: &Turn, [x, y]: [f32; 2]) -> Option<Hit> {
     use std::f32::consts::{PI, TAU};
     let [from, along] = [turn.back([x, y, 4.0]), turn.back([0.0, 0.0, -1.0])];
     let at = |t: f32| [0, 1, 2].map(|axis| from[axis] + t * along[axis]);
     let (uv, right, normal) = match body {
         Body::Plane => {
-            // Seen from behind it is the same.
+            // The back looks like the front.
             let t = -from[2] / along[2];
             let point = at(t);
             let aspect = maps.size[0] as f32 / maps.size[1] as f32;
@@ -124,7 +124,7 @@ pub(super) fn cast(maps: &Maps, body: Body, turn: &Turn, [x, y]: [f32; 2]) -> Op
             let b = from[0] * along[0] + from[2] * along[2];
             let root = b * b - a * (from[0] * from[0] + from[2] * from[2] - radius * radius);
             let root = (root >= 0.0 && a > 1e-9).then(|| root.sqrt())?;
-            // The outside, else the inside through the open end.
+            // The outside, or else the inside through the open end.
             let hit = |sign: f32| Some(at((-b + sign * root) / a)).filter(|point| point[1].abs() <= half);
             let (point, out) = hit(-1.0).map(|point| (point, 1.0)).or_else(|| Some((hit(1.0)?, -1.0)))?;
             let around = libm::atan2f(point[0], point[2]);

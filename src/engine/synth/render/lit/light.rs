@@ -1,16 +1,16 @@
-//! The light that a surface throws back.
+//! The light that a surface reflects.
 
 use super::maps::Texel;
 use super::vector::{dot, normalised};
 
 /// The direction towards the light: from above, on the left, in front.
 const LIGHT: [f32; 3] = [-0.48, 0.62, 0.62];
-/// Strength of the light, of the sky, and of what the ground throws back.
+/// Strength of the light, of the sky, and of the light that the ground reflects.
 const STRENGTH: [f32; 3] = [2.6, 0.55, 0.25];
 /// The reflectance of insulators at normal incidence.
 const F0: f32 = 0.04;
 
-/// The light that a point throws back to the viewer, linear.
+/// The light that a point reflects to the viewer, linear.
 pub(super) fn shade(texel: &Texel, [right, up, out]: &[[f32; 3]; 3]) -> [f32; 3] {
     let [x, y, z] = texel.normal;
     let normal = normalised([0, 1, 2].map(|axis| x * right[axis] + y * up[axis] + z.max(0.05) * out[axis]));
@@ -18,7 +18,7 @@ pub(super) fn shade(texel: &Texel, [right, up, out]: &[[f32; 3]; 3]) -> [f32; 3]
     let view = [0.0, 0.0, 1.0];
     let [key, sky, ground] = STRENGTH;
     let facing = dot(normal, light).max(0.0);
-    // A point whose surface turns away from the light is in the body's own shadow.
+    // A point whose surface faces away from the light is in the body's own shadow.
     let lit = (8.0 * dot(*out, light)).clamp(0.0, 1.0);
     let share = 0.5 + 0.5 * normal[1];
     let around = (ground + (sky - ground) * share) * texel.open;
@@ -34,7 +34,7 @@ pub(super) fn shade(texel: &Texel, [right, up, out]: &[[f32; 3]; 3]) -> [f32; 3]
     })
 }
 
-/// The share of the light that is reflected as by a rough mirror.
+/// The share of the light that is reflected specularly, as by a rough mirror.
 fn specular(roughness: f32, facing: f32, seen: f32, half: f32, across: f32) -> f32 {
     if facing <= 0.0 {
         return 0.0;
@@ -49,9 +49,9 @@ fn specular(roughness: f32, facing: f32, seen: f32, half: f32, across: f32) -> f
     distribution * hidden(facing) * hidden(seen) * fresnel / (4.0 * facing * seen)
 }
 
-/// Linear light → 8-bit sRGB; bright light is rolled off instead of clipped.
+/// Linear light → 8-bit sRGB; bright light is compressed instead of clipped.
 pub(super) fn to_srgb(light: f32) -> u8 {
-    /// From here on light is compressed.
+    /// Light above this value is compressed.
     const KNEE: f32 = 0.8;
     let over = (light - KNEE).max(0.0);
     let light = light.min(KNEE) + (1.0 - KNEE) * (over / (over + 1.0 - KNEE));

@@ -1,6 +1,6 @@
 //! The maps of a material, read at any point of a surface.
 
-/// The longest side of the maps that are kept, px: about what a view can show.
+/// The longest side of the stored maps, px: about what a view can show.
 const LONGEST: usize = 640;
 
 /// A px of the maps. Numbers 0..1, colours linear.
@@ -14,7 +14,7 @@ pub(super) struct Texel {
     pub(super) normal: [f32; 3],
     /// 0 = a mirror, 1 = chalk.
     pub(super) roughness: f32,
-    /// The share of the sky that is seen.
+    /// The share of the sky that is visible.
     pub(super) open: f32,
 }
 
@@ -23,7 +23,7 @@ pub(super) struct Texel {
 pub struct Maps {
     pub(super) size: [usize; 2],
     texels: Vec<Texel>,
-    /// Whether its border continues on the other side; otherwise the body shows it mirrored, without seams.
+    /// Whether its border continues on the other side; if not, repetitions are mirrored, so that there are no seams.
     wraps: bool,
 }
 
@@ -90,7 +90,7 @@ impl Maps {
             let whole = if self.wraps {
                 share.rem_euclid(1.0)
             } else {
-                // There and back.
+                // Forwards and backwards.
                 let twice = share.rem_euclid(2.0);
                 if twice > 1.0 { 2.0 - twice } else { twice }
             };
@@ -118,13 +118,13 @@ impl Maps {
         }
     }
 
-    /// Repetitions around a body and up it that keep the maps' proportions; around it a whole number, so that a seamless
+    /// Numbers of repetitions around a body and up it that keep the maps' proportions; around it a whole number, so that a seamless
     /// material has no seam there.
     pub(super) fn repeats(&self, around: f32, up: f32) -> [f32; 2] {
         let aspect = self.size[0] as f32 / self.size[1] as f32;
         let rows = if around / up > 2.0 { 1.0 } else { 1.0f32.max((up / around).round()) };
         let columns = (around / up * rows / aspect).round().max(1.0);
-        // Mirrored maps meet themselves after two repetitions.
+        // Mirrored maps are periodic after two repetitions.
         let columns = if self.wraps { columns } else { 2.0 * (0.5 * columns).round().max(1.0) };
         [columns, rows]
     }

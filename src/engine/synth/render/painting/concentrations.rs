@@ -8,8 +8,8 @@ use crate::synth::growth::Grown;
 use crate::synth::watch::{Stage, Watch};
 
 /// Writes the concentrations of `grown` as OpenEXR (grown with [`crate::synth::Options::concentrations`]) at `size` px: a channel a
-/// chemical, called `LAYER.CHEMICAL` by the layer's name and its letter in the equations; of pairs, `C1+`, `C1-`, `C2+` and so on. Values are the solver's own,
-/// interpolated by cubic splines.
+/// chemical, called `LAYER.CHEMICAL` by the layer's name and its letter in the equations; of pairs, `C1+`, `C1-`, `C2+` and so on.
+/// Values are the solver's own, interpolated by cubic splines.
 ///
 /// # Errors
 /// `out` cannot be written to; or it was cancelled.

@@ -6,18 +6,18 @@ use crate::colour::{FineTable, Painted, over, painter};
 use crate::export::png::Samples;
 use crate::synth::render::painting::{Band, Painting};
 
-/// What is beneath transparent colours in a picture without opacity.
+/// The background of transparent colours in a picture without opacity.
 const WHITE: [f32; 4] = [1.0; 4];
 
 /// The colours of each layer, and that of the ground.
 pub(super) struct Colours {
     layers: Vec<FineTable>,
-    /// Where no layer is visible.
+    /// The colour where no layer is visible.
     ground: [f32; 4],
 }
 
 impl Colours {
-    /// The colours of `painting`; the ground has none where it is `transparent`.
+    /// The colours of `painting`; the ground is transparent if `transparent`.
     pub fn new(painting: &Painting, transparent: bool) -> Self {
         let shown = painting.visible.iter().rposition(|visible| *visible);
         let shown = shown.or(painting.gradients.len().checked_sub(1));
@@ -35,8 +35,8 @@ impl Colours {
         Self { layers: painting.gradients.iter().map(layer).collect(), ground }
     }
 
-    /// The colour of a px: that of its painter, where that is transparent over the layers beneath it which were free to grow
-    /// there.
+    /// The colour of a px: that of its topmost layer. If it is transparent, it is painted over the layers beneath that were free to
+    /// grow there.
     fn at(&self, painted: &[Painted], px: usize) -> [f32; 4] {
         let mut seen: Option<[f32; 4]> = None;
         let mut beneath = painted;

@@ -9,8 +9,9 @@ use crate::synth::render::painting::fine::{Colours, to_u8};
 use crate::synth::watch::Watch;
 
 impl Painting<'_> {
-    /// The whole texture as a relief that is lit from the upper left: red, green, blue a px, row by row from the top. What is
-    /// transparent is over white. Heights of `surface` are in px of the picture; something else comes once it is cancelled.
+    /// The whole texture as a relief that is lit from the upper left: red, green, blue a px, row by row from the top. Transparent
+    /// parts are painted over white. Heights of `surface` are in px of the picture. The result has no meaning once `watch` is
+    /// cancelled.
     #[must_use]
     pub fn lit(&self, surface: &Surface, edges: Edges, watch: &Watch) -> Vec<u8> {
         let [width, height] = self.size;

@@ -23,13 +23,13 @@ pub struct Making {
     pub surface: Surface,
     /// px of the pictures along each px of the canvas.
     pub scale: usize,
-    /// What lies beyond the border.
+    /// Continuation beyond the border.
     pub edges: Edges,
     /// Whether the ground is transparent.
     pub transparent_ground: bool,
 }
 
-/// Rows of a band of pictures so wide.
+/// Rows of a band of pictures of this width.
 fn rows_a_band(width: usize) -> usize {
     (BAND_PX / width.max(1)).max(16)
 }
@@ -41,8 +41,9 @@ impl Making {
         Surface { relief, ..self.surface.clone() }
     }
 
-    /// Bytes held while pictures `width` px wide of `layers` layers are written: two patterns a layer and three values a px
-    /// with the rim; values and bytes (16 bits at most) of the maps without it; and the buffers of the nine writers. Measured 0.12 GB at 4096², 0.13 at 8192², of which 0.03 are the program.
+    /// Bytes held while pictures `width` px wide of `layers` layers are written: two patterns a layer and three values a px with
+    /// the rim; values and bytes (16 bits at most) of the maps without it; and the buffers of the nine writers. Measured 0.12 GB at
+    /// 4096², 0.13 at 8192², of which the program takes 0.03.
     #[must_use]
     pub fn held(&self, width: usize, layers: usize) -> f64 {
         let rows = rows_a_band(width);
@@ -78,7 +79,7 @@ impl Painting<'_> {
     }
 }
 
-/// A plane with the maps of `set` in glTF: the names and the bytes of its two files, which lie beside those of the maps.
+/// A plane with the maps of `set` in glTF: the names and the bytes of its two files, which belong into the folder of the maps.
 #[must_use]
 pub fn plane(set: &Set, making: &Making) -> [(String, Vec<u8>); 2] {
     let file = |map: Map| map.file(set.name);
@@ -107,7 +108,7 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    /// Computes `rows` of all `maps`; something else once it is cancelled.
+    /// Computes `rows` of all `maps`. The result has no meaning once `watch` is cancelled.
     fn band(&self, rows: Range<usize>, maps: &[Map], bands: &mut [Vec<u8>], watch: &Watch) {
         let relief = self.painting.relief(rows.clone(), self.surface, self.edges, watch);
         let layers = relief.layers;
@@ -176,10 +177,10 @@ mod tests {
     fn a_material_of_any_height_is_held_in_bands() {
         let making =
             Making { surface: Surface::default(), scale: 8, edges: Edges::Wrap, transparent_ground: false };
-        // Measured 0.09 and 0.10 GB beside the program.
+        // Measured 0.09 and 0.10 GB besides the program.
         let held = [4096, 8192, 16_384].map(|width| making.held(width, 1));
         assert!((0.09e9..0.18e9).contains(&held[0]) && (0.10e9..0.2e9).contains(&held[1]), "{held:?}");
-        // A byte a px of 16,384², as stated.
+        // One byte per px of 16,384², as stated.
         assert!(held[2] < 16_384.0 * 16_384.0, "{held:?}");
     }
 }

@@ -1,4 +1,4 @@
-//! The relief of a painting: its height, and what follows from that.
+//! The relief of a painting: its height, normals, roughness and occlusion.
 
 use std::ops::Range;
 
@@ -7,7 +7,7 @@ use crate::grid::Edges;
 use crate::synth::render::painting::Painting;
 use crate::synth::watch::Watch;
 
-/// How far, in heights of the relief, a mark still shades its surroundings: 6 % of the sky's light there.
+/// Distance, in heights of the relief, at which a mark still shades its surroundings: it takes 6 % of the sky's light there.
 const REACH: f64 = 4.0;
 /// The largest radius of occlusion, px.
 const FARTHEST: usize = 96;
@@ -16,24 +16,25 @@ const FARTHEST: usize = 96;
 pub(super) struct Relief {
     /// Shown layers.
     pub layers: usize,
-    /// Above the ground, px of the picture.
+    /// Height above the ground, px of the picture.
     pub heights: Vec<f32>,
     /// x to the right, y up, z out of the picture.
     pub normals: Vec<[f32; 3]>,
     /// 0 = mirror, 1 = chalk.
     pub roughness: Vec<f32>,
-    /// The share of the sky that is seen.
+    /// The share of the sky that is visible.
     pub open: Vec<f32>,
 }
 
-/// How far marks of `layers` layers shade their surroundings, px; heights of `surface` are in px of the picture.
+/// Distance to which marks of `layers` layers shade their surroundings, px; heights of `surface` are in px of the picture.
 pub(super) fn radius(surface: &Surface, layers: usize) -> usize {
     let [low, high] = surface.range(layers);
     ((REACH * (high - low)).ceil() as usize).clamp(1, FARTHEST)
 }
 
 impl Painting<'_> {
-    /// The relief of `rows` with a `surface` whose heights are in px of the picture; something else once it is cancelled.
+    /// The relief of `rows` with a `surface` whose heights are in px of the picture. The result has no meaning once `watch` is
+    /// cancelled.
     pub(super) fn relief(
         &self,
         rows: Range<usize>,
@@ -64,7 +65,7 @@ impl Painting<'_> {
         }
     }
 
-    /// The pattern of each shown layer in rows `rows`, `rim` more above and below.
+    /// The pattern of each shown layer in rows `rows`, plus `rim` rows above and below.
     fn patterns(&self, rows: Range<usize>, rim: usize, edges: Edges) -> Vec<Vec<f32>> {
         let [width, height] = self.size;
         let shown: Vec<_> = self
@@ -77,7 +78,7 @@ impl Painting<'_> {
         let mut patterns: Vec<Vec<f32>> = vec![Vec::new(); shown.len()];
         let beyond = rows.start as isize - rim as isize..(rows.end + rim) as isize;
         let wanted: Vec<usize> = beyond.map(|y| edges.index(y, height)).collect();
-        // Consecutive rows are made together.
+        // Consecutive rows are computed together.
         for run in wanted.chunk_by(|a, b| a + 1 == *b) {
             let run = run[0]..run[run.len() - 1] + 1;
             for (pattern, layer) in patterns.iter_mut().zip(&shown) {

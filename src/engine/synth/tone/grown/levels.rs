@@ -1,4 +1,4 @@
-//! A level for each px: with it the share of ink around the px is the tone that is wanted there, whatever has grown.
+//! A threshold for each px, with which the share of ink around the px equals the wanted tone, whatever has grown.
 //!
 //! ```text
 //! F(x, t) = G_σ * [u ≥ t]           the local share of ink at the level t
@@ -6,24 +6,24 @@
 //! twice: c += GAIN · (G_σ * tone − G_σ * [u ≥ l])
 //! ```
 //!
-//! F varies over σ and is kept on coarse cells; the tone is read at each px, so that its edges stay as sharp as the pattern is.
+//! F varies over σ and is stored on coarse cells. The tone is read at each px, so that its edges remain as sharp as the pattern.
 
 use rayon::prelude::*;
 
 use crate::grid::Edges;
 use crate::grid::blur::gaussian;
 
-/// Levels at which F is known.
+/// Number of thresholds at which F is computed.
 const THRESHOLDS: usize = 40;
 /// Rounds of feedback (`facts.md` V).
 const ROUNDS: usize = 2;
-/// The share of a difference that a round of feedback takes back (`facts.md` V).
+/// The share of an error that a round of feedback removes (`facts.md` V).
 const GAIN: f32 = 0.8;
-/// σ in coarse cells: enough for its bell to be round.
+/// σ in coarse cells: large enough for a smooth Gaussian.
 const COARSE: f64 = 2.0;
-/// Every so many px are sorted for the quantiles: a prime, so that no stripe is always missed.
+/// Stride of the px that are sorted for the quantiles: a prime, so that no stripe is always missed.
 const STRIDE: usize = 7;
-/// Nearer to no ink or all ink than this, local levels lie beyond what has grown.
+/// Least distance of the share of ink from 0 and 1 for which thresholds lie within the grown heights.
 const LEAST: f32 = 0.004;
 
 /// Values on blocks of px.
@@ -46,7 +46,7 @@ impl Blocks {
         Self { side, size, coarse, sigma: sigma / side as f64, edges }
     }
 
-    /// The means over blocks of what `value` says of each px, blurred.
+    /// The means over blocks of the `value` of each px, blurred.
     fn blurred(&self, value: impl Fn(usize) -> f32 + Sync) -> Vec<f32> {
         let ([width, height], side) = (self.size, self.side);
         let mut means = vec![0.0; self.coarse[0] * self.coarse[1]];
@@ -66,7 +66,7 @@ impl Blocks {
         gaussian(&means, self.coarse, self.sigma, self.edges)
     }
 
-    /// The two blocks of an axis between whose centres px `at` lies, and how far it is from the first to the second, 0..1.
+    /// The two blocks of an axis between whose centres px `at` lies, and its position between them, 0..1.
     fn between(&self, axis: usize, at: usize) -> (usize, usize, f32) {
         let place = (at as f32 + 0.5) / self.side as f32 - 0.5;
         let first = place.floor();
@@ -75,8 +75,8 @@ impl Blocks {
     }
 }
 
-/// The level of each px of `u` (on `size` px), for the share of ink `wanted` there, where ink is what is not below its level and shares
-/// are means over a Gaussian of `sigma` px.
+/// The threshold of each px of `u` (on `size` px), for the share of ink `wanted` there. Ink is where `u` is not below the
+/// threshold, and shares are means over a Gaussian of `sigma` px.
 #[must_use]
 pub fn levels(u: &[f32], size: [usize; 2], wanted: &[f32], sigma: f64, edges: Edges) -> Vec<f32> {
     let blocks = Blocks::new(size, sigma, edges);
@@ -100,7 +100,7 @@ pub fn levels(u: &[f32], size: [usize; 2], wanted: &[f32], sigma: f64, edges: Ed
     levels
 }
 
-/// Levels between the lowest and the highest of `u`, denser near both ends, where thin lines and thin gaps are decided.
+/// Thresholds between the lowest and the highest of `u`, denser near both ends, where thin lines and thin gaps are decided.
 fn thresholds(u: &[f32]) -> Vec<f32> {
     let mut sorted: Vec<f32> = u.iter().copied().step_by(STRIDE).collect();
     sorted.sort_unstable_by(f32::total_cmp);
@@ -112,7 +112,7 @@ fn thresholds(u: &[f32]) -> Vec<f32> {
     (0..THRESHOLDS).map(quantile).collect()
 }
 
-/// The level of each px at which the share of ink is `wanted` + `shift` there.
+/// The threshold of each px at which the share of ink is `wanted` + `shift` there.
 fn solved(
     blocks: &Blocks,
     thresholds: &[f32],
@@ -158,7 +158,7 @@ mod tests {
     use super::*;
     use std::f64::consts::TAU;
 
-    /// Waves of 16 px, whose height and mean vary.
+    /// Waves of 16 px with varying height and mean.
     fn waves(size: [usize; 2]) -> Vec<f32> {
         let at = |px: usize| {
             let [x, y] = [px % size[0], px / size[0]].map(|k| k as f64);
@@ -180,7 +180,7 @@ mod tests {
         let errors: Vec<f32> = found.iter().zip(&asked).map(|(found, asked)| (found - asked).abs()).collect();
         let mean = errors.iter().sum::<f32>() / errors.len() as f32;
         assert!(mean < 0.006, "{mean}");
-        // One level for all leaves most of it: the test would see that.
+        // A single threshold leaves most of the error: the test would notice it.
         let plain: Vec<f32> = u.iter().map(|u| if *u >= 0.15 { 1.0 } else { 0.0 }).collect();
         let plain = gaussian(&plain, size, 16.0, Edges::Closed);
         assert!(plain.iter().zip(&asked).map(|(a, b)| (a - b).abs()).sum::<f32>() / plain.len() as f32 > 0.1);

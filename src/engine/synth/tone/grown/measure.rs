@@ -1,4 +1,4 @@
-//! How near a pattern is to the picture that drives it.
+//! Measurement of the agreement of a pattern with the picture that drives it.
 
 use crate::grid::blur::gaussian;
 use crate::photo::tone::{directions_of, structure};
@@ -8,23 +8,24 @@ use crate::grid::{Edges, Field};
 
 /// Blurs after which tones are compared, wavelengths.
 pub const BLURS: [f64; 2] = [0.5, 1.0];
-/// σ of the tensor that finds the directions of what has grown, wavelengths.
+/// σ of the structure tensor that gives the directions of the grown pattern, wavelengths.
 const SIGMAS: [f64; 2] = [0.12, 0.4];
-/// Directions are compared where the picture's tensor is at least as coherent.
+/// Least coherence of the picture's tensor for directions to be compared.
 const COHERENT: f64 = 0.3;
 
 /// Errors against a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ToneErrors {
-    /// The correlation of ink and tone, after blurring both by half a wavelength and by one; `None` of an even tone.
+    /// The correlation of ink and tone, after blurring both by half a wavelength and by one; `None` for an even tone.
     pub correlation: Option<[f64; 2]>,
-    /// Their mean absolute difference.
+    /// Mean absolute difference of ink and tone.
     pub difference: [f64; 2],
-    /// The median turn of the lines from the directions wanted, degrees; `None` where none are.
+    /// The median angle between the lines and the wanted directions, degrees; `None` without wanted directions.
     pub direction: Option<f64>,
 }
 
-/// The errors of a pattern whose `ink` is 1 and 0 at the px of the plan's tone, if it has one; `relief` is what has grown.
+/// The errors of a pattern whose `ink` is 1 and 0 at the px of the plan's tone, if it has one; `relief` is the relief of the grown
+/// pattern.
 #[must_use]
 pub fn measure(plan: &TonePlan, ink: &[f32], relief: &Field) -> Option<ToneErrors> {
     if plan.tone.is_empty() {
@@ -54,12 +55,12 @@ pub fn compared(ink: &[f32], tone: &[f32], size: [usize; 2], sigma: f64, edges: 
         tones += (tone - of_tone) * (tone - of_tone);
         difference += (ink - tone).abs();
     }
-    // An even tone has nothing that ink could correlate with.
+    // An even tone has no correlation with ink.
     let varies = inks > 1e-9 * count && tones > 1e-6 * count;
     (varies.then(|| both / (inks * tones).sqrt()), difference / count)
 }
 
-/// The median turn of what has grown from the directions wanted.
+/// The median angle between the grown lines and the wanted directions, degrees.
 fn turned(plan: &TonePlan, relief: &Field) -> Option<f64> {
     if !plan.directed {
         return None;

@@ -1,4 +1,4 @@
-//! What has grown on a layer that a picture drives, or a growth.
+//! The grown layer of a picture or of Turing's growth.
 //!
 //! ```text
 //!  marks that have grown ─▶ relief ─▶ levels, by px: the local share of ink is the tone ─▶ pattern
@@ -19,26 +19,26 @@ pub use slopes::gains;
 use crate::grid::Field;
 use crate::synth::tone::plan::TonePlan;
 
-/// What has grown on a layer that a picture drives, or a growth.
+/// The grown layer of a picture or of Turing's growth.
 #[derive(Clone)]
 pub struct GrownTone {
-    /// How it was planned.
+    /// The plan from which it grew.
     pub plan: TonePlan,
     /// Steps taken.
     pub steps: u64,
     /// Whether the pattern settled within its time.
     pub settled: bool,
-    /// The relief of what has grown, on the grid.
+    /// The relief of the grown pattern, on the grid.
     pub relief: Field,
-    /// The height of the relief at which the edge of a mark lies, over the canvas.
+    /// The threshold of the relief at the edges of marks, over the canvas.
     pub levels: Field,
-    /// How many times the heights above and below that are stretched there, so that no edge is blurred.
+    /// Factors by which the heights above and below the threshold are stretched, so that no edge is blurred.
     pub gains: Field,
     /// The share of the canvas that is ink.
     pub ink: f64,
     /// Errors against the picture, if one drives it.
     pub measured: Option<ToneErrors>,
-    /// The concentrations of each chemical on the grid, where the [`Options`](crate::synth::Options) asked for them.
+    /// The concentrations of each chemical on the grid, if the [`Options`](crate::synth::Options) asked for them.
     pub concentrations: Vec<Vec<f32>>,
 }
 

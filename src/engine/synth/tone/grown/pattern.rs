@@ -9,10 +9,10 @@ use crate::grid::{Edges, Field};
 use crate::synth::pattern::{PatternRows, share};
 use crate::synth::tone::grown::relief::HEIGHTS;
 
-/// Levels are at least so far within the heights that count as ground and as the middle of a mark.
+/// Least distance of thresholds from the heights that count as ground and as the middle of a mark.
 const MARGIN: f32 = 0.03;
 
-/// A relief and the level of each px, at any size.
+/// A relief and the threshold of each px, at any size.
 pub struct TonePattern<'a> {
     grid: [usize; 2],
     extent: [f64; 2],
@@ -21,22 +21,22 @@ pub struct TonePattern<'a> {
     levels: Levels<'a>,
 }
 
-/// Where the edges lie.
+/// The thresholds of the edges.
 #[derive(Clone, Copy)]
 pub enum Levels<'a> {
-    /// At this height everywhere.
+    /// One height everywhere.
     Even(f32),
-    /// At the heights of a field over the canvas.
+    /// The heights of a field over the canvas.
     Each {
         /// The heights.
         levels: &'a Field,
-        /// How many times what lies above and below is stretched.
+        /// Factors by which the heights above and below are stretched.
         gains: &'a Field,
     },
 }
 
 impl<'a> TonePattern<'a> {
-    /// The pattern of a relief, with edges at these levels.
+    /// The pattern of a relief with these thresholds.
     #[must_use]
     pub fn new(relief: &Field, levels: Levels<'a>) -> Self {
         Self {
@@ -95,15 +95,15 @@ impl PatternRows for TonePattern<'_> {
     }
 }
 
-/// The pattern value of a height of the relief, where edges lie at `level`.
+/// The pattern value of a height of the relief with the threshold `level`.
 fn cut(height: f32, level: f32) -> f32 {
     let (low, high) = (HEIGHTS[0].min(level - MARGIN), HEIGHTS[1].max(level + MARGIN));
     let of = |value: f32| (value - low) / (high - low);
     share(of(height), of(level))
 }
 
-/// A field at the px of row `y` of a picture of `width` × `height` px, bilinear: levels change abruptly where the picture does, and a
-/// smoother interpolation would overshoot.
+/// A field at the px of row `y` of a picture of `width` × `height` px, bilinear: thresholds change abruptly where the picture does,
+/// and a smoother interpolation would overshoot.
 fn between(field: &Field, y: usize, height: usize, width: usize) -> impl Fn(usize) -> f32 + use<'_> {
     let place = |at: usize, cells: usize, px: usize| {
         let place = (at as f32 + 0.5) * cells as f32 / px as f32 - 0.5;

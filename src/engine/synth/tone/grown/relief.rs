@@ -1,4 +1,4 @@
-//! What has grown → a relief that levels can cut at any height: as high everywhere, so that lines of all widths stay whole.
+//! Converts a grown pattern to a relief of even height, which can be cut at any threshold so that lines of all widths stay whole.
 
 use rayon::prelude::*;
 
@@ -8,20 +8,20 @@ use crate::synth::tone::plan::ToneSystem;
 
 /// Standard deviation of the blurs that find the local mean and height of waves, wavelengths.
 const AROUND: f64 = 0.6;
-/// Waves lower than this share of the usual height are as high as they are: where lines end, they do.
+/// Waves lower than this share of the usual height are not raised: where lines end, they should end.
 const LOWEST: f32 = 0.05;
-/// Heights lie in these bounds but for outliers, so that levels can be outside of them.
+/// Range of heights except outliers; thresholds may lie outside of it.
 pub const HEIGHTS: [f32; 2] = [0.15, 0.85];
-/// What is added to a spot's concentration (its peak = 1) before its logarithm is taken: the ground between spots has a hundredth.
+/// Offset added to a spot's concentration (its peak = 1) before its logarithm is taken: the ground between spots has a hundredth.
 const GROUND: f32 = 1e-3;
-/// The shares of all cells that are lower than [`HEIGHTS`].
+/// The shares of all cells that lie below the two [`HEIGHTS`].
 const QUANTILES: [f64; 2] = [0.01, 0.99];
 
 /// The relief of `marks` that `system` has grown, `wavelength` px apart.
 #[must_use]
 pub fn relief(marks: &Field, system: ToneSystem, wavelength: f64) -> Field {
     let values = if system.usual_growth().is_some() {
-        // It is shown by b ÷ (b + 3), which has slopes up to its peaks.
+        // The shown value is b ÷ (b + 3), which has slopes up to its peaks.
         marks.values.clone()
     } else if system.is_striped() {
         waves(marks, wavelength)
@@ -31,7 +31,7 @@ pub fn relief(marks: &Field, system: ToneSystem, wavelength: f64) -> Field {
     Field { values, ..*marks }
 }
 
-/// (u − mean) ÷ amplitude, with mean and amplitude of the surroundings.
+/// (u − mean) ÷ amplitude, with the local mean and amplitude.
 fn waves(marks: &Field, wavelength: f64) -> Vec<f32> {
     let size = [marks.width, marks.height];
     let sigma = AROUND * wavelength / (marks.cell[0] * marks.cell[1]).sqrt();
@@ -47,7 +47,7 @@ fn waves(marks: &Field, wavelength: f64) -> Vec<f32> {
     marks.values.par_iter().zip(&means).zip(&variances).map(height).collect()
 }
 
-/// Logarithms: so the ground between spots has slopes too, and spots can grow until they touch.
+/// Logarithms of the concentrations: then the ground between spots has slopes, too, and spots can be enlarged until they touch.
 fn logarithms(marks: &Field) -> Vec<f32> {
     let logarithm = |value: &f32| libm::logf(value.max(0.0) + GROUND);
     let mut values: Vec<f32> = marks.values.par_iter().map(logarithm).collect();

@@ -1,8 +1,8 @@
-//! How steep a relief is at its levels: where it is flat, edges would be blurred.
+//! The steepness of a relief at its thresholds: where it is flat, edges would be blurred.
 //!
-//! Lines end and part at saddles of the relief. Where the level of a px is the height of a saddle, the pattern stays near ½ over a third of a
-//! wavelength, and colours that change at the edge paint a gray smudge there. Heights about the level, stretched, keep the edge where it is and
-//! make it as narrow as others are:
+//! Lines end and fork at saddles of the relief. If the threshold of a px is the height of a saddle, the pattern stays near ½ over a
+//! third of a wavelength, and colours that change at the edge give a gray area there. Stretching the heights about the threshold
+//! keeps the edge in place and makes it as narrow as other edges:
 //!
 //! ```text
 //! s² = G_σ * |∇(u − l)|²,  gain = FLAT · usual s ÷ s, in [1, MOST]
@@ -14,17 +14,18 @@ use rayon::prelude::*;
 use crate::grid::Edges;
 use crate::grid::blur::gaussian;
 
-/// σ of the surroundings whose slopes count, wavelengths: narrower than a line.
+/// σ of the surroundings whose slopes are averaged, wavelengths: narrower than a line.
 const AROUND: f64 = 0.1;
-/// Where slopes are smaller than this share of the usual ones, heights are stretched. Those of waves are 0.5 of their mean halfway from the
-/// edges of lines of equal width to their middle.
+/// Heights are stretched where slopes are smaller than this share of the usual ones. The slopes of waves are 0.5 of their mean
+/// halfway from the edges of lines of equal width to their middle.
 const FLAT: f32 = 0.7;
-/// Largest gain: a saddle that is flatter than that has no edge that could be seen.
+/// Largest gain: a flatter saddle has no visible edge.
 const MOST: f32 = 40.0;
-/// Every so many px are sorted for the usual slope.
+/// Stride of the px that are sorted for the usual slope.
 const STRIDE: usize = 7;
 
-/// How many times heights `u` about their levels are stretched at each of `size` px, with `wavelength` px from mark to mark.
+/// Factors by which heights `u` about their thresholds (`levels`) are stretched at each of `size` px, with `wavelength` px from
+/// mark to mark.
 #[must_use]
 pub fn gains(u: &[f32], levels: &[f32], size: [usize; 2], wavelength: f64, edges: Edges) -> Vec<f32> {
     let [width, height] = size;
@@ -57,7 +58,7 @@ mod tests {
     #[test]
     fn a_saddle_at_its_level_is_stretched_and_the_edges_of_lines_are_not() {
         let size = [160, 160];
-        // Lines of 20 px; about the middle the waves fade.
+        // Lines of 20 px; the waves become lower towards the middle.
         let height = |px: usize| {
             let [x, y] = [px % 160, px / 160].map(|k| k as f64 - 80.0);
             let fade = 1.0 - libm::exp(-(x * x + y * y) / 128.0);

@@ -1,4 +1,4 @@
-//! Plans of Turing's growth: it follows the tone of a picture, or a map.
+//! Plans of Turing's growth: its parameter G follows the tone of a picture, or a map.
 
 use crate::document::Document;
 use crate::grid::Domain;
@@ -8,17 +8,17 @@ use crate::synth::drawn::maps::growth_by_map;
 use crate::synth::marks::plan::setting::Setting;
 use crate::synth::tone::plan::TonePlan;
 
-/// The growth at no ink and at all ink (`facts.md` V): the share of b > 3 rises with it, though not to all of these.
+/// G for no ink and for full ink (`facts.md` V): the share of b > 3 increases with G, but does not reach 0 and 1.
 const BY_TONE: [f32; 2] = [18.3, 27.3];
 
-/// With what `system` grows marks `wavelength` cells apart.
+/// The parameters with which `system` grows marks `wavelength` cells apart.
 pub(super) fn setting(system: System, wavelength: f64) -> Setting {
     let root = (system.definition().laws.spacing)(1.0) / wavelength;
     let parameters = Parameters { rate: root * root, ratio: None, stretch: 1.0, direction: 0.0, level: None };
     Setting { parameters, pitch: 1.0 }
 }
 
-/// The growth of each cell of `plan`, of layer `index`: `usual` where nothing says more.
+/// The parameter G of each cell of `plan`, of layer `index`: `usual` where neither a picture nor a map changes it.
 pub(super) fn growth(plan: &TonePlan, document: &Document, index: usize, usual: f32) -> Vec<f32> {
     if plan.tone.is_empty() {
         return growth_by_map(document, index, &plan.grid, usual)

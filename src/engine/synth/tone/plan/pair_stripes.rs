@@ -8,7 +8,8 @@ use crate::rd::pairs::{Blurs, PairField, PairModel, PairParameterField};
 use crate::synth::pairs::plan::{FROM_NOISE, RATIO, stripes};
 use crate::synth::tone::plan::TonePlan;
 
-/// Distance of the lines ÷ that which is asked for: forks and tips cost details, and so much nearer lines make up for them (`facts.md` V).
+/// Factor of the distance of the lines that is asked for: forks and tips lose details, and closer lines compensate for it
+/// (`facts.md` V).
 const CLOSER: f64 = 0.93;
 
 impl TonePlan {
@@ -17,7 +18,7 @@ impl TonePlan {
         stripes::size_of_period(CLOSER * self.wavelength / self.px_a_cell())
     }
 
-    /// Updates of one morphogen in one cell that a growth takes where distances ÷ the usual one are between these factors.
+    /// Updates of one morphogen in one cell during a growth whose distances ÷ the usual one are between these factors.
     pub(super) fn updates_of_pair_between(&self, factors: [f64; 2]) -> f64 {
         let range = factors.map(|factor| factor * self.usual_size());
         let pair = Sizes { range, blurs: Blurs::Along(stripes::elongation()) };

@@ -1,11 +1,11 @@
-//! The systems that a picture drives, or a growth.
+//! The systems that a picture or Turing's growth drives.
 
 use crate::attributes::system::Description;
 use crate::rd::System;
 use crate::rd::pairs::PairKind;
 use crate::synth::memory;
 
-/// A system that a picture drives, or a growth.
+/// A system that a picture or Turing's growth drives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ToneSystem {
     /// Meinhardt's stripes or spots, or Turing's growth.
@@ -15,7 +15,7 @@ pub enum ToneSystem {
 }
 
 impl ToneSystem {
-    /// What the rest of the program has to know of it.
+    /// The properties of the system that the rest of the program uses.
     #[must_use]
     pub fn description(self) -> &'static Description {
         match self {
@@ -39,7 +39,7 @@ impl ToneSystem {
         }
     }
 
-    /// G where nothing says more; `None` of systems that have no growth.
+    /// The usual parameter G; `None` for systems without it.
     #[must_use]
     pub fn usual_growth(self) -> Option<f32> {
         match self {
@@ -57,7 +57,7 @@ impl ToneSystem {
         }
     }
 
-    /// Bytes that a growth of it on `grid` cells for a canvas of `size` px needs, without what a picture adds.
+    /// Bytes for a growth on `grid` cells for a canvas of `size` px, without those for the picture.
     #[must_use]
     pub fn needed(self, size: [f64; 2], grid: [usize; 2]) -> f64 {
         match self {

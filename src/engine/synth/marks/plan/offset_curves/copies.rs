@@ -2,10 +2,10 @@
 
 use crate::grid::{Grid, UnionFind};
 
-/// Half of the eight neighbours of a cell; of the others it is a neighbour.
+/// Half of the eight neighbours of a cell; the cell is in turn a neighbour of the other half.
 const NEIGHBOURS: [[i32; 2]; 4] = [[1, 0], [-1, 1], [0, 1], [1, 1]];
 
-/// Connected cells: union–find that also counts how many canvases apart two cells were joined.
+/// Connected cells: union–find that also counts the number of canvases between two joined cells.
 #[derive(Clone, Debug)]
 pub struct Copies(UnionFind);
 
@@ -24,7 +24,7 @@ impl Copies {
         copies
     }
 
-    /// The root of the cells that `cell` is connected to, and the canvases to add to come to its frame.
+    /// The root of the cells that `cell` is connected to, and the number of canvases to its frame.
     #[must_use]
     pub fn find(&self, cell: usize) -> (usize, [i32; 2]) {
         let (root, shift) = self.0.root(cell as u32);
@@ -36,7 +36,7 @@ impl Copies {
         self.0.join(a as u32, b as u32, apart);
     }
 
-    /// The mark of the cell that lies `canvases` away: different for different marks, and for copies of one.
+    /// The identity of the mark of a cell that lies `canvases` away: it differs between marks, and between copies of one mark.
     #[must_use]
     pub fn identity(&self, cell: usize, canvases: [i32; 2]) -> (usize, [i32; 2]) {
         let (root, shift) = self.find(cell);
@@ -60,7 +60,7 @@ mod tests {
     fn a_mark_across_the_border_is_one_mark_with_separate_copies() {
         let (set, grid) = cells(&["#...#", ".....", "..#..", "....."]);
         let copies = Copies::connect(&set, &grid);
-        // Seen from the right end, the left end of the same mark is one canvas to the right.
+        // Seen from the right end, the left end of the mark is one canvas to the right.
         assert_eq!(copies.identity(4, [0, 0]), copies.identity(0, [1, 0]));
         assert_ne!(copies.identity(4, [0, 0]), copies.identity(0, [0, 0]));
         assert_ne!(copies.find(12).0, copies.find(0).0);

@@ -1,4 +1,4 @@
-//! Gaps of open rings: how many, where, and which cells they block.
+//! Gaps of open rings: their number, their places, and the cells that they block.
 
 use crate::grid::Grid;
 use rand::{Rng, RngExt, SeedableRng};
@@ -8,23 +8,23 @@ use std::collections::BTreeMap;
 use crate::grid::distance::nearest;
 use crate::synth::marks::plan::offset_curves::CurveRequest;
 
-/// Ring widths from one gap to the next along a ring, on average: a leopard's rosettes have three or four.
-const APART: f64 = 6.0;
-/// Their number differs from that by at most this, either way.
-const MORE_OR_LESS: f64 = 0.8;
+/// Mean distance of the gaps along a ring, in ring widths: a leopard's rosettes have three or four gaps.
+pub const APART: f64 = 6.0;
+/// Largest deviation of the number of gaps from the one that follows from the mean distance.
+pub const MORE_OR_LESS: f64 = 0.8;
 /// Fewest gaps a ring.
-const LEAST: f64 = 2.0;
+pub const LEAST: f64 = 2.0;
 /// Places that are tried for each gap; the one farthest from the others is taken (Mitchell's best candidate).
-const TRIES: usize = 6;
+pub const TRIES: usize = 6;
 /// Ring widths to either side of the curve within which a gap blocks cells.
-const REACH: f64 = 1.4;
+pub const REACH: f64 = 1.4;
 
 /// The end of an arc recedes from a gap by this, ÷ its width.
-const RECEDES: f64 = 0.65;
+pub const RECEDES: f64 = 0.65;
 /// Half the length that is blocked in the smallest gap ÷ the width.
-const LEAST_CUT: f64 = 0.2;
+pub const LEAST_CUT: f64 = 0.2;
 
-/// Where rings are open.
+/// The open places of rings.
 pub struct Gaps {
     /// Whether a cell lies in a gap.
     pub opened: Vec<bool>,
@@ -49,7 +49,7 @@ pub fn open(
     let mut cut = vec![false; curve.len()];
     let mut ends = Vec::new();
     for cells in rings.values() {
-        // Of a band as wide as a cell, as many cells as it is long.
+        // The number of cells of a band one cell wide is its length in cells.
         let length = grid.px_a_cell() * cells.iter().filter(|cell| off[**cell] < 0.5).count() as f64;
         let width =
             cells.iter().map(|cell| f64::from(request.width[*cell])).sum::<f64>() / cells.len() as f64;
@@ -74,7 +74,7 @@ pub fn open(
     Gaps { opened, ends }
 }
 
-/// `count` of the `cells`, far from each other.
+/// `count` of the `cells` that are far from each other.
 fn places(cells: &[usize], grid: &Grid, count: usize, rng: &mut impl Rng) -> Vec<usize> {
     let bounds = grid.bounds_px();
     let mut places: Vec<usize> = Vec::with_capacity(count);
@@ -102,7 +102,7 @@ fn cut_along(place: usize, grid: &Grid, half: f64, members: &dyn Fn(usize) -> bo
     const STEPS: [[i32; 2]; 8] = [[1, 0], [-1, 0], [0, 1], [0, -1], [1, 1], [1, -1], [-1, 1], [-1, -1]];
     let mut known: BTreeMap<usize, f64> = BTreeMap::from([(place, 0.0)]);
     let mut left = vec![place];
-    // Few cells: each is looked at again whenever a shorter way to it is found.
+    // There are few cells: each is processed again whenever a shorter way to it is found.
     while let Some(cell) = left.pop() {
         cut[cell] = true;
         let so_far = known[&cell];

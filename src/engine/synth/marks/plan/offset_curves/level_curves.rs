@@ -1,4 +1,4 @@
-//! Levels along curves: the concentration as a share of the peak that lines have nearby.
+//! Concentrations of lines along curves, as a share of the peak of lines nearby.
 
 use crate::grid::Grid;
 use rayon::prelude::*;
@@ -6,15 +6,15 @@ use rayon::prelude::*;
 use crate::grid::blur::boxes;
 use crate::synth::marks::plan::offset_curves::{Curves, blur_radius};
 
-/// Share of the usual peak below which a line is taken to have died, and is not drawn as if it had not.
-const LEAST: f32 = 0.2;
+/// Share of the usual peak below which a line counts as vanished, and is not raised.
+pub const LEAST: f32 = 0.2;
 
 impl Curves {
-    /// The concentration `marks` as a share of the peak that lines have nearby: they stand lower where three meet, where
-    /// others are close, or marks. `width` is that of the lines, px.
+    /// The concentration `marks` as a share of the peak of lines nearby: lines are lower where three meet, and where other lines or
+    /// marks are close. `width` is the width of the lines, px.
     #[must_use]
     pub fn levelled(&self, marks: &[f32], grid: &Grid, width: &[f32]) -> Vec<f32> {
-        // A quarter of the width: where lines meet, the saddle between them is what counts, not their own height.
+        // A quarter of the width: where lines meet, the height of the saddle between them is used, not the height of the lines.
         let radius = (blur_radius(width, grid) / 2).max(1);
         let highest = highest(marks, grid, radius);
         let on = |value: &dyn Fn(usize) -> f32| -> Vec<f32> {

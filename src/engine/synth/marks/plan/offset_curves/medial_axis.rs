@@ -1,4 +1,4 @@
-//! Webs: the medial axis, where two marks beneath are equally near.
+//! Webs: the medial axis, where the distances to two marks beneath are equal.
 
 use crate::grid::distance::{length, nearest};
 use crate::grid::{Domain, Grid};
@@ -7,20 +7,20 @@ use crate::synth::error::CurvesError;
 use crate::synth::marks::plan::offset_curves::copies::Copies;
 use crate::synth::marks::plan::offset_curves::{CurveRequest, Curves, blur_radius, directions};
 
-/// Distance between two marks ÷ the web's width that a web needs; nearer marks are surrounded together.
+/// Distance between two marks that a web needs, in widths of the web; closer marks are surrounded together.
 pub const NEED: f64 = 1.8;
-/// Nothing grows nearer to a mark than this share of the web's width.
-const HALO: f64 = 0.2;
-/// Half the width of the lane in which a web is free to grow ÷ its own width: all beyond is held. In the open it comes
-/// apart where lines meet, from T = 100 on.
-const LANE: f64 = 1.3;
-/// Inhibitor that is held on both sides: from 0.25 down lines slide to one side of their lane, from 0.4 up they die in
-/// narrow ones.
-const HELD: f32 = 0.33;
-/// Pieces of the web that are less than this share of all of it are left out; two larger ones are an error.
-const PIECE: f64 = 0.1;
-/// Where more than this share of the web finds no room, there is none.
-const NARROW: f64 = 0.5;
+/// Width of the zone around a mark in which nothing grows, in widths of the web.
+pub const HALO: f64 = 0.2;
+/// Half the width of the zone in which a web can move, in widths of the web; outside it concentrations are held. Without the zone
+/// the web breaks where lines meet, from T = 100 on.
+pub const LANE: f64 = 1.3;
+/// Inhibitor that is held on both sides: at 0.25 and less, lines slide to one side of their zone; at 0.4 and more they vanish in
+/// narrow zones.
+pub const HELD: f32 = 0.33;
+/// Largest share of the web in a piece that is left out; two larger pieces are an error.
+pub const PIECE: f64 = 0.1;
+/// Largest share of the web that may be without room.
+pub const NARROW: f64 = 0.5;
 
 /// Lays a web between the obstacles of `request`.
 pub fn lay(request: &CurveRequest, grid: &Grid, regions: usize) -> Result<Curves, CurvesError> {
@@ -73,7 +73,7 @@ pub fn lay(request: &CurveRequest, grid: &Grid, regions: usize) -> Result<Curves
     Ok(Curves { distance: off, directions, blocked, inhibitor, curve, ends, remarks })
 }
 
-/// A cell of a mark, and how many canvases away it lies.
+/// A cell of a mark, and its distance in canvases.
 type MarkCopy = (usize, [i32; 2]);
 
 /// Two neighbouring cells and the cell of a mark that is nearest to each, relative to the canvas of the first.
@@ -83,7 +83,7 @@ struct Pair {
 }
 
 impl Pair {
-    /// Whether both are nearest to the same mark, and to the same copy of it.
+    /// Whether both are nearest to one mark, and to one copy of it.
     fn is_of_one_mark(&self, copies: &Copies) -> bool {
         let [(mark, canvas), (next, beyond)] = self.marks;
         mark == next && canvas == beyond || copies.identity(mark, canvas) == copies.identity(next, beyond)
@@ -92,7 +92,7 @@ impl Pair {
 
 /// Each cell with its right and with its lower neighbour, where there is one.
 fn pairs<'a>(away: &'a [[i32; 2]], grid: &'a Grid) -> impl Iterator<Item = Pair> + 'a {
-    // A nearest cell lies across the border of a wrapped canvas only, so that there always is one.
+    // The border of a wrapped canvas is the only border across which a nearest cell can lie, so that the step always exists.
     let seen = |cell: usize| grid.step(cell, away[cell]).unwrap_or((cell, [0, 0]));
     (0..away.len()).flat_map(move |cell| {
         [[1, 0], [0, 1]].into_iter().filter_map(move |side| {
@@ -122,7 +122,7 @@ fn join_near(copies: &mut Copies, away: &[[i32; 2]], grid: &Grid, near: &dyn Fn(
     }
 }
 
-/// Removes all pieces but the largest where the others are small.
+/// Removes all pieces but the largest, if the others are small.
 fn one_piece(medial: &mut [bool], grid: &Grid) -> Result<(), CurvesError> {
     let pieces = Copies::connect(medial, grid);
     let mut sizes = vec![0usize; medial.len()];

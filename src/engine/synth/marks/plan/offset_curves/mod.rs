@@ -1,20 +1,20 @@
 //! Curves of lines that run around the marks beneath, or between them.
 //!
-//! Meinhardt's lines stand where they began, and spread along their direction (`facts.md` M). So they begin along a curve,
-//! with its direction:
+//! Meinhardt's lines remain where they began, and spread along their direction (`facts.md` M). So they begin along a curve, with
+//! its direction:
 //!
 //! ```text
 //!  marks beneath ─▶ distance to the nearest ─▶ rings: where it is the same (offset curves)       ─┐
 //!                                           └▶ web: where two marks are equally near (medial axis) ┴─▶ curves, directions
 //! ```
 //!
-//! The reaction decides what stands there in the end, and how wide it is.
+//! The reaction determines the final shape and width.
 
 mod copies;
-mod gaps;
-mod level_curves;
-mod medial_axis;
-mod rings;
+pub mod gaps;
+pub mod level_curves;
+pub mod medial_axis;
+pub mod rings;
 
 use crate::attributes::AttributeMap;
 use crate::grid::blur::boxes;
@@ -43,7 +43,7 @@ impl CurveKind {
         }
     }
 
-    /// Distance that two marks need for lines between them ÷ the width of the lines.
+    /// Distance that two marks need for lines between them, in widths of the lines.
     #[must_use]
     pub fn need(self) -> f64 {
         match self {
@@ -56,23 +56,23 @@ impl CurveKind {
 /// Curves for the lines of a layer, by cell of its grid.
 #[derive(Clone, Debug)]
 pub struct Curves {
-    /// Cells to the nearest curve.
+    /// Distance to the nearest curve, cells.
     distance: Vec<f32>,
     /// Directions of the lines.
     directions: Vec<Direction>,
-    /// Where nothing grows beside the marks beneath: close to them, and in the gaps of open rings.
+    /// Cells beside the marks beneath where nothing grows: close to them, and in the gaps of open rings.
     blocked: Vec<bool>,
     /// Inhibitor of cells where nothing grows.
     inhibitor: Vec<f32>,
-    /// Whether it is a cell on the curve, and not in a gap.
+    /// Whether a cell is on the curve, and not in a gap.
     curve: Vec<bool>,
-    /// Ends of open rings by region, and the length of what is left of them, px.
+    /// Number of ends of open rings by region, and the length of the remaining arcs, px.
     ends: Vec<(f64, f64)>,
     /// Messages to the user.
     pub remarks: Vec<String>,
 }
 
-/// How lines run at one place.
+/// The direction of lines at one place.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Direction {
     /// Degrees from +x towards +y.
@@ -90,7 +90,7 @@ pub struct CurveRequest<'a> {
     pub kind: CurveKind,
     /// The laws of lines along curves.
     pub laws: LinesAlongCurves,
-    /// Which cells are covered by the marks beneath.
+    /// For each cell, whether the marks beneath cover it.
     pub obstacles: &'a [bool],
     /// Width of the lines wanted at each cell, px.
     pub width: &'a [f32],
@@ -131,10 +131,9 @@ impl Curves {
         ParameterField { curves: Some(curves), ..maps }
     }
 
-    /// The width of lines in region `index` where 2 × area ÷ contour length is `measured`: the ends of open rings have a
-    /// contour, too.
+    /// The width of lines in region `index` if 2 × area ÷ contour length is `measured`: the ends of open rings have a contour, too.
     ///
-    /// Of arcs of length L with e square ends in all, W = 2Lw ÷ (2L + ew), so that w = W ÷ (1 − eW/2L).
+    /// For arcs of total length L with e square ends, W = 2Lw ÷ (2L + ew), so that w = W ÷ (1 − eW/2L).
     #[must_use]
     pub fn width(&self, index: usize, measured: f64) -> f64 {
         let (ends, length) = self.ends[index];
@@ -144,8 +143,8 @@ impl Curves {
         measured / (1.0 - 0.5 * ends * measured / length).max(0.25)
     }
 
-    /// Corrects the errors of region `index` for [`Self::width`]. Lines run as the marks beneath let them: no direction was
-    /// asked.
+    /// Corrects the errors of region `index` by [`Self::width`], and removes those of the direction: lines follow the marks
+    /// beneath, so that no direction was asked for.
     pub fn correct(&self, index: usize, errors: &mut StripeErrors) {
         if let (Some(got), Some(wanted)) = (&mut errors.got, &errors.wanted) {
             got.width = self.width(index, got.width);
@@ -156,9 +155,9 @@ impl Curves {
     }
 }
 
-/// Directions and ratios from the vector (columns, rows) of each cell to the curve, or from it: lines run across it. Where
-/// vectors from all sides meet there is no direction. `ratios` are D_b/Dₐ along a line and at junctions; `stretch_and_meeting`
-/// gives the stretch at a cell, and how close to a junction a cell without a direction is, 0..1.
+/// Directions and ratios, from the vector (columns, rows) of each cell to the curve, or from it: lines run across this vector.
+/// Where vectors from all sides meet there is no direction. `ratios` are D_b/Dₐ along a line and at junctions;
+/// `stretch_and_meeting` gives the stretch at a cell, and how close to a junction a cell without a direction is, 0..1.
 fn directions(
     ways: &[[i32; 2]],
     grid: &Grid,

@@ -1,4 +1,4 @@
-//! Rings: offset curves of the marks beneath, at the same distance everywhere; near marks share one wall.
+//! Rings: offset curves of the marks beneath, at one distance everywhere; marks close together share one wall.
 
 use crate::grid::distance::{length, nearest};
 use crate::grid::{Domain, Grid};
@@ -9,29 +9,29 @@ use crate::synth::marks::plan::offset_curves::gaps::{Gaps, open};
 use crate::synth::marks::plan::offset_curves::medial_axis::between;
 use crate::synth::marks::plan::offset_curves::{CurveRequest, Curves, blur_radius, directions};
 
-/// Half the width of the lane in which a ring is free to grow ÷ its own width: cells beyond are blocked. It keeps rings where
-/// they are, and neighbours from taking each other's room; without it they shrink until they stand against their
-/// marks, and of neighbours that are near one dies.
-const LANE: f64 = 0.8;
-/// The least half of a lane: below it no line lives.
-const NARROWEST: f64 = 0.7;
-/// Inhibitor that is held on the inner and the outer side of a ring. Round marks of 1 to 6 ring widths these keep it in
-/// the centre of its lane, open or closed, from T = 30 to 80; with as much on both sides it moves inwards.
-const SIDES: [f32; 2] = [0.45, 0.2];
+/// Half the width of the zone in which a ring can move, in widths of the ring: cells outside are blocked. The zone keeps rings in
+/// place, and keeps them from taking the room of their neighbours. Without it rings shrink until they touch their marks, and of two
+/// close ones one vanishes.
+pub const LANE: f64 = 0.8;
+/// The least half width of a zone: in narrower ones no line survives.
+pub const NARROWEST: f64 = 0.7;
+/// Inhibitor that is held on the inner and the outer side of a ring. For round marks of 1 to 6 ring widths these values keep the
+/// ring in the centre of its zone, open or closed, from T = 30 to 80; with equal values on both sides it moves inwards.
+pub const SIDES: [f32; 2] = [0.45, 0.2];
 /// Inhibitor that is held on both sides of a wall that two marks share.
-const WALL: f32 = 0.3;
+pub const WALL: f32 = 0.3;
 
-/// Half the distance between two marks ÷ the width of their rings, below which these are one wall for both.
-const SHARED: f64 = 1.6;
-/// Between two rings that are nearer than this is a strip, so many widths to either side of its centre line, where nothing
-/// grows: else one takes the other's room.
-const STRIP: [f64; 2] = [1.9, 0.1];
-/// Distance between two marks ÷ the width of rings at which each has its own.
+/// Half the distance between two marks, in ring widths, below which they share one wall.
+pub const SHARED: f64 = 1.6;
+/// Between two rings closer than the first value nothing grows in a strip, whose half width is this number of widths (the
+/// second value): otherwise one ring takes the other's room.
+pub const STRIP: [f64; 2] = [1.9, 0.1];
+/// Distance between two marks, in ring widths, from which on each has its own ring.
 pub const OWN: f64 = 2.0 * SHARED;
 
-/// Where more than this share of the outlines has no room for a ring of its own, there are none: walls from all sides
-/// would leave scraps.
-const CROWDED: f64 = 0.7;
+/// Largest share of the outlines without room for a ring of their own. With a larger one there are no rings: walls from all sides
+/// would leave only remnants.
+pub const CROWDED: f64 = 0.7;
 
 /// Lays rings around the obstacles of `request`.
 pub fn lay(
@@ -91,9 +91,8 @@ pub fn lay(
     Ok(Curves { distance: off, directions, blocked, inhibitor, curve, ends, remarks })
 }
 
-/// Distance of a ring's centre line from its mark ÷ the width of the ring, where half the distance to the next mark is `room`
-/// widths.
-fn place(room: f64) -> f64 {
+/// Distance of a ring's centre line from its mark, in ring widths, if half the distance to the next mark is `room` widths.
+pub fn place(room: f64) -> f64 {
     if room < SHARED { room.max(LANE) } else { LANE }
 }
 

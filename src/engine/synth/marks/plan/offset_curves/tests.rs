@@ -58,7 +58,7 @@ fn broken_rings_are_pieces_and_another_seed_breaks_them_elsewhere() {
     let (grid, taken) = discs(80, Edges::Wrap, &FOUR, 8.0);
     let curves = lay(CurveKind::Rings, &grid, &taken, 3.0, 0.4).unwrap();
     assert!((9..=20).contains(&pieces(&curves.curve, &grid)), "{}", pieces(&curves.curve, &grid));
-    // Arcs have ends: 2 area ÷ contour reads too little.
+    // Arcs have ends, so that 2 area ÷ contour is too small.
     assert!(curves.width(0, 2.5) > 2.6);
 }
 
@@ -77,7 +77,7 @@ fn marks_that_are_near_to_each_other_are_surrounded_together() {
     let (grid, taken) = discs(80, Edges::Wrap, &places, 7.0);
     let curves = lay(CurveKind::Web, &grid, &taken, 4.0, 0.0).unwrap();
     assert!(curves.remarks[0].contains("surrounded together"), "{:?}", curves.remarks);
-    // Midway between the last two, 3 px apart, runs nothing; between the others something does.
+    // Midway between the last two, which are 3 px apart, there is no line; between the others there is one.
     let off = |x: usize, y: usize| curves.distance[2 * y * grid.size[0] + 2 * x];
     assert!(off(60, 51) > 8.0 && off(40, 20) < 2.0, "{} {}", off(60, 51), off(40, 20));
 }

@@ -10,7 +10,7 @@ use crate::synth::marks::plan::laid_out::Plan;
 use crate::synth::marks::plan::one_spot::Deviation;
 use crate::synth::marks::plan::spread_limits::{ASPECTS, beyond, by_itself};
 
-/// How each spot deviates from its region in size, direction and aspect, in standard deviations. The first spots are the
+/// The deviations of each spot from its region in size, direction and aspect, in standard deviations. The first spots are the
 /// pinned ones, which have parameters of their own.
 pub struct Scores(Vec<[f64; 3]>);
 
@@ -27,7 +27,7 @@ impl Scores {
         Self(scores)
     }
 
-    /// Deviations of so many `pinned` spots, and of others that are among these by their indices; `None` = new ones.
+    /// Deviations for `pinned` pinned spots, and for others, each with the index of an existing spot or `None` for a new one.
     pub fn among(&self, pinned: usize, others: &[Option<usize>], rng: &mut Pcg64Mcg) -> Self {
         let new = others.iter().filter(|index| index.is_none()).count();
         let drawn = [(); 3].map(|()| stratified(new, rng));
@@ -39,8 +39,8 @@ impl Scores {
         Self(vec![[0.0; 3]; pinned].into_iter().chain(scores).collect())
     }
 
-    /// The deviations of these spots, now at `px`: in each region the whole spots have the means of the region map and the
-    /// spread asked for, and so have those that the border cuts.
+    /// The deviations of these spots, now at `px`. In each region the means of the whole spots are those of the region map, with
+    /// the spread asked for; likewise for the spots that the border cuts.
     pub fn deviations(&self, plan: &Plan, px: &[[f64; 2]]) -> Vec<Deviation> {
         let lookup = &plan.lookup;
         let mut all = vec![Deviation { area: 1.0, turn: 0.0, aspect: 0.0 }; px.len()];
@@ -62,8 +62,8 @@ impl Scores {
     }
 }
 
-/// The spots that together have the means of their region: the whole ones, which will be measured, and those that the
-/// border cuts. Pinned ones are in neither.
+/// The groups of spots that together have the means of their region: the whole ones, which will be measured, and those that the
+/// border cuts. Pinned spots are in neither.
 fn groups(plan: &Plan, px: &[[f64; 2]]) -> Vec<Vec<usize>> {
     let layout = plan.lookup.map.layout();
     let mut groups = vec![Vec::new(); 2 * layout.len()];
@@ -76,7 +76,7 @@ fn groups(plan: &Plan, px: &[[f64; 2]]) -> Vec<Vec<usize>> {
     groups
 }
 
-/// How far a spot reaches from its centre along x and y.
+/// Extent of a spot from its centre along x and y.
 fn reach(spots: &Spots) -> [f64; 2] {
     let [a, b] = Ellipse::from_area([0.0; 2], spots.area, spots.aspect, 0.0).radii;
     let angle = spots.angle.to_radians();
@@ -84,9 +84,9 @@ fn reach(spots: &Spots) -> [f64; 2] {
     [(a * a * c * c + b * b * s * s).sqrt(), (a * a * s * s + b * b * c * c).sqrt()]
 }
 
-/// `n` numbers of mean 0 and variance 1 in random order: those that cut a triangular distribution into equal parts, so
-/// that a few spots vary as much as many do, and none by more than √6 standard deviations.
-fn stratified(n: usize, rng: &mut Pcg64Mcg) -> Vec<f64> {
+/// `n` numbers of mean 0 and variance 1 in random order: the boundaries of equal parts of a triangular distribution. A few spots
+/// then vary as much as many, and none by more than √6 standard deviations.
+pub fn stratified(n: usize, rng: &mut Pcg64Mcg) -> Vec<f64> {
     let quantile = |share: f64| {
         let end = 1.0 - (2.0 * share.min(1.0 - share)).sqrt();
         if share < 0.5 { -end } else { end }
@@ -100,7 +100,7 @@ fn stratified(n: usize, rng: &mut Pcg64Mcg) -> Vec<f64> {
     scores
 }
 
-/// Rounds in which bounds, mean and spread are brought together.
+/// Rounds in which bounds, mean and spread are satisfied together.
 const ROUNDS: usize = 12;
 
 /// Mean under weights.
@@ -109,7 +109,7 @@ fn mean(values: &[f64], weights: &[f64]) -> f64 {
     if total <= 0.0 { 0.0 } else { values.iter().zip(weights).map(|(v, w)| v * w).sum::<f64>() / total }
 }
 
-/// Brings `values` to a weighted mean of 0, and to the weighted variance of the `spreads`, inside their bounds.
+/// Shifts and scales `values` to a weighted mean of 0, and to the weighted variance of the `spreads`, inside their bounds.
 fn standardise(values: &mut [f64], weights: &[f64], spreads: &[f64], bounds: impl Fn(usize) -> [f64; 2]) {
     let squares = |values: &[f64]| mean(&values.iter().map(|v| v * v).collect::<Vec<_>>(), weights);
     let wanted = squares(spreads);
@@ -117,7 +117,7 @@ fn standardise(values: &mut [f64], weights: &[f64], spreads: &[f64], bounds: imp
         let average = mean(values, weights);
         values.iter_mut().for_each(|value| *value -= average);
         let got = squares(values);
-        // One spot alone has no variance.
+        // A single spot has no variance.
         let factor = if got > 1e-12 * wanted { (wanted / got).sqrt().clamp(0.7, 1.4) } else { 0.0 };
         for (i, value) in values.iter_mut().enumerate() {
             let [low, high] = bounds(i);
@@ -129,7 +129,7 @@ fn standardise(values: &mut [f64], weights: &[f64], spreads: &[f64], bounds: imp
 }
 
 /// Areas ÷ the mean: logarithms from the scores, so that none is negative; mean 1, and the variation asked for.
-fn areas(drawn: impl Iterator<Item = (f64, f64)>) -> Vec<f64> {
+pub fn areas(drawn: impl Iterator<Item = (f64, f64)>) -> Vec<f64> {
     let (scores, spreads): (Vec<f64>, Vec<f64>) = drawn.unzip();
     let n = scores.len().max(1) as f64;
     let wanted = (spreads.iter().map(|spread| spread * spread).sum::<f64>() / n).sqrt();
@@ -151,7 +151,7 @@ fn areas(drawn: impl Iterator<Item = (f64, f64)>) -> Vec<f64> {
 }
 
 /// Aspects − the mean.
-fn aspects(drawn: impl Iterator<Item = (f64, f64)>, wanted: &[Spots]) -> Vec<f64> {
+pub fn aspects(drawn: impl Iterator<Item = (f64, f64)>, wanted: &[Spots]) -> Vec<f64> {
     let (scores, spreads): (Vec<f64>, Vec<f64>) = drawn.unzip();
     let mut aspects: Vec<f64> = scores.iter().zip(&spreads).map(|(score, spread)| score * spread).collect();
     let bounds = |i: usize| {
@@ -162,8 +162,8 @@ fn aspects(drawn: impl Iterator<Item = (f64, f64)>, wanted: &[Spots]) -> Vec<f64
     aspects
 }
 
-/// Turns from the mean direction, degrees; the rounder a spot is, the less it counts.
-fn turns(drawn: impl Iterator<Item = (f64, f64)>, weights: impl Iterator<Item = f64>) -> Vec<f64> {
+/// Rotations from the mean direction, degrees; rounder spots have less weight.
+pub fn turns(drawn: impl Iterator<Item = (f64, f64)>, weights: impl Iterator<Item = f64>) -> Vec<f64> {
     let (scores, spreads): (Vec<f64>, Vec<f64>) = drawn.unzip();
     let mut turns: Vec<f64> = scores.iter().zip(&spreads).map(|(score, spread)| score * spread).collect();
     let weights: Vec<f64> = weights.collect();

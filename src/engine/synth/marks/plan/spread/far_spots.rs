@@ -1,4 +1,4 @@
-//! Spots far from all drawn marks: they are laid without these, so that they stay where they are while single marks are moved.
+//! Spots far from all drawn marks: they are laid without these, so that they do not change when single marks are moved.
 //!
 //! ```text
 //!  what is wanted far from marks, rounded ─▶ spots over the whole canvas (laid) ─▶ those far from marks stay
@@ -20,37 +20,37 @@ use crate::synth::marks::plan::setting::Setting;
 use crate::synth::marks::plan::spread::deviations::Scores;
 use crate::synth::marks::plan::spread::laid::{Jitter, Laid, Spaced, lay_spaced, pinned_spots};
 
-/// Steps to which the logarithm of areas is rounded, and −ln of the ratio by which the room of a spot is stretched: small changes of
-/// the marks leave them as they are.
+/// Steps to which the logarithm of areas is rounded, and −ln of the ratio by which the room of a spot is stretched: small changes
+/// of the marks do not change the result.
 const LN_STEP: f64 = 0.1;
-/// Step to which the logarithm of the pitch is rounded; it matters only to spots that stand far apart.
+/// Step to which the logarithm of the pitch is rounded; it matters only for spots that are far apart.
 const LN_PITCH_STEP: f64 = 0.25;
 /// Step to which the aspect is rounded.
 const ASPECT_STEP: f64 = 0.05;
 /// Step to which directions are rounded, degrees.
 const ANGLE_STEP: f64 = 7.5;
-/// Steps to which the spread is rounded. Finer steps (0.1, 5°, 0.05, 0.03) were passed by many changes that moved one of ten
-/// marks. Spots vary in their spacing by some 0.1 by themselves.
+/// Steps to which the spread is rounded. With finer steps (0.1, 5°, 0.05, 0.03) many moves of one of ten marks changed the result.
+/// The spacing of spots varies by about 0.1 by itself.
 const SPREAD_STEP: Spread = Spread { area: 0.2, angle: 15.0, aspect: 0.1, spacing: 0.12 };
 
-/// Any ratio: it only changes the rate that gives the spacing.
+/// The ratio of the layout; it only changes the rate that gives the spacing.
 const USUAL_RATIO: f64 = 20.0;
 
 /// Spots that have been laid over the whole canvas without the drawn ones.
 pub struct FarSpots {
-    /// Where they are, cells.
+    /// Places, cells.
     places: Vec<[f64; 2]>,
-    /// Where they are without jitter, and those beyond the edges, cells.
+    /// Their places without jitter, and those of the points beyond the edges, cells.
     even: Places,
     scores: Scores,
     jitter: Vec<Jitter>,
-    /// The parameters in which they were laid.
+    /// The parameters with which they were laid.
     parameters: Parameters,
-    /// By cell, whether it is not far from all marks.
+    /// By cell, whether it is near a mark.
     near: Vec<bool>,
 }
 
-/// Lays the spots far from the drawn ones of `plan`; `None` where no place is far from these, or where what is wanted changes there.
+/// Lays the spots far from the drawn ones of `plan`; `None` if no place is far from these, or if the wanted attributes vary there.
 pub fn far_spots(plan: &Plan, seed: u64) -> Option<FarSpots> {
     let lookup = &plan.lookup;
     if plan.pinned_spots().is_empty() || !plan.obstacles.is_empty() || lookup.map.is_modulated() {
@@ -72,7 +72,7 @@ pub fn far_spots(plan: &Plan, seed: u64) -> Option<FarSpots> {
     Some(FarSpots { places, even, scores: laid.scores, jitter, parameters, near })
 }
 
-/// By cell, whether it is not far from all marks.
+/// By cell, whether it is near a mark.
 fn near_cells(far: &Far, grid: &Grid) -> Vec<bool> {
     let mut near = vec![false; grid.cells()];
     let [wide, high] = grid.cell;
@@ -87,7 +87,7 @@ fn near_cells(far: &Far, grid: &Grid) -> Vec<bool> {
 }
 
 impl FarSpots {
-    /// The drawn spots of `plan`, whose parameters are `maps`, these spots far from them, and others between.
+    /// The drawn spots of `plan`, whose parameters are `maps`, with these spots far from them, and others between.
     pub fn with_marks<'a>(self, plan: &Plan, maps: &'a ParameterField, seed: u64) -> Spaced<'a> {
         let pitch = vec![self.pitch_near(plan)];
         let Self { places, even, scores, jitter, parameters, near } = self;
@@ -105,7 +105,7 @@ impl FarSpots {
         let was = |near: Option<usize>| giving_way.get(near?).copied();
         let others: Vec<Option<usize>> =
             staying.into_iter().map(Some).chain(from.into_iter().map(was)).collect();
-        // Another random stream than those of the spots laid before.
+        // A random stream different from that of the spots laid before.
         let mut rng = Pcg64Mcg::seed_from_u64(seed ^ 0x6e65_6172);
         let scores = scores.among(pinned.len(), &others, &mut rng);
         let laid = Laid::with_room(plan, maps, &pitch, first, scores, rng);
@@ -113,7 +113,7 @@ impl FarSpots {
         Spaced { laid, places, jitter, pitch }
     }
 
-    /// The factor of the pitch with which spots near marks are laid: far from them it gives the distance of these spots.
+    /// The factor of the pitch for spots near marks: far from marks it would give the distance of these spots.
     fn pitch_near(&self, plan: &Plan) -> f64 {
         let Lookup { system, grid, lattice, .. } = &plan.lookup;
         let far = self.near.iter().position(|near| !near).unwrap_or(0);
@@ -122,7 +122,7 @@ impl FarSpots {
     }
 }
 
-/// The plan of the spots that are wanted far from the drawn ones, everywhere, without these.
+/// The plan for spots over the whole canvas that have the attributes wanted far from the drawn ones, without the drawn ones.
 fn without_marks(plan: &Plan, far: &Far) -> Option<Plan> {
     let lookup = &plan.lookup;
     let Attributes::Spots(mean) = lookup.map.of_region([0, 0]) else { return None };
@@ -134,7 +134,7 @@ fn without_marks(plan: &Plan, far: &Far) -> Option<Plan> {
     };
     let spread = lookup.spread(0).with(&SPREAD_STEP, rounded);
     let map = AttributeMap::uniform(lookup.map.layout(), Attributes::Spots(wanted)).with_spread(spread);
-    // A grid of its own: the one on which the spots grow follows the smallest drawn one.
+    // The plan has its own grid: the grid of the growth depends on the smallest drawn spot.
     let grid = grid_of(&map, finest_cell((lookup.system, lookup.polarity), &map));
     let node = laying(lookup, &wanted, far.spacing() / grid.px_a_cell());
     let lattice = Lattice { layout: *map.layout(), nodes: vec![node] };
@@ -143,8 +143,7 @@ fn without_marks(plan: &Plan, far: &Far) -> Option<Plan> {
     Some(Plan { lookup, arrangement: Arrangement::Natural, ..plan.clone() })
 }
 
-/// The parameters that lay spots `spacing` cells apart, with the room of the spots that are `wanted`: they are not those in which these
-/// grow.
+/// The parameters for laying spots `spacing` cells apart, with the room of the `wanted` spots; spots grow with other parameters.
 fn laying(lookup: &Lookup, wanted: &Spots, spacing: f64) -> Node {
     let mean = Node::from_setting(&Setting::of(&lookup.answers[0]));
     let [c, s] = mean.shape;
@@ -153,7 +152,7 @@ fn laying(lookup: &Lookup, wanted: &Spots, spacing: f64) -> Node {
     let ln_ratio = libm::log(USUAL_RATIO);
     let ln_pitch = rounded(mean.ln_pitch, LN_PITCH_STEP);
     let unit = Node { ln_rate: 0.0, ln_ratio, shape: [long * c, long * s], ln_pitch, level: mean.level };
-    // Lengths go as 1/√rate.
+    // Lengths are proportional to 1/√rate.
     let ln_rate = 2.0 * libm::log(lookup.system.spacing(&unit.parameters(1.0)) / spacing);
     Node { ln_rate, ..unit }
 }

@@ -1,4 +1,5 @@
-//! Where spots begin that differ from each other: each with the room that its own parameters need, as far apart and as unevenly as asked.
+//! Initial places of spots that differ from each other: each with the room for its own parameters, at the distances and with the
+//! unevenness asked for.
 
 use std::borrow::Cow;
 
@@ -14,48 +15,48 @@ use crate::synth::marks::plan::spread::own_parameters::own_of_all;
 
 /// Numbers of rounds of repulsion.
 struct RepulsionRounds {
-    /// Until spots stand evenly enough to get the room that each needs.
+    /// Before each spot gets its own room: until spots are spaced evenly enough.
     first: usize,
-    /// Until they have that room.
+    /// With its own room for each spot.
     room: usize,
-    /// Once they are jittered.
+    /// After the jitter.
     jittered: usize,
 }
 
-/// The usual ones.
+/// The usual numbers.
 const USUAL: RepulsionRounds = RepulsionRounds { first: rd::ROUNDS, room: 30, jittered: 40 };
-/// Rounds for many spots, whose mean distance hardly depends on single ones. Two documents with 2,800 and 3,100 spots have the
-/// same errors with them, over six seeds: spacing 0.35 and 1.48 % instead of 0.36 and 1.48 %. Of a hundred random sketches of few
-/// spots, 95 % of the regions were within 3.8 % of their spacing with ten first rounds, with thirty within 3.0 %.
+/// Rounds for many spots, whose mean distance hardly depends on single ones. Two documents with 2,800 and 3,100 spots have equal
+/// errors with them, over six seeds: spacing 0.35 and 1.48 % instead of 0.36 and 1.48 %. Of a hundred random sketches of few spots,
+/// 95 % of the regions were within 3.8 % of their spacing with ten first rounds, with thirty within 3.0 %.
 const OF_MANY: RepulsionRounds = RepulsionRounds { first: 10, room: 20, jittered: 25 };
-/// So many spots are many. Not tuned.
+/// Number of spots from which on [`OF_MANY`] is used. Not tuned.
 const MANY: usize = 2_000;
 
 impl RepulsionRounds {
-    /// The rounds for so many spots.
+    /// The numbers of rounds for this number of spots.
     fn of(spots: usize) -> Self {
         if spots < MANY { USUAL } else { OF_MANY }
     }
 }
 
-/// Spots nearer than this are pushed apart, in pitches: the first ring of neighbours, as for nuclei.
+/// Spots closer than this are pushed apart, in pitches: the first ring of neighbours, as for nuclei.
 const ROOM_REACH: f64 = 1.25;
-/// Once jittered, only spots nearer than this share of the pitch are pushed apart. Nearer ones merge or die: of 200 dense spots
+/// After the jitter, only spots closer than this are pushed apart, in pitches. Closer ones merge or vanish: of 200 dense spots
 /// (area/spacing² 0.19) five were lost at 0.75, none at 0.85.
 const JITTERED_REACH: f64 = 0.85;
-/// Share of the variance of the distances beyond their own that is left when spots have settled. With it 0.12, 0.14, 0.16
-/// grow as 0.12, 0.13, 0.15 at area/spacing² 0.12, and 0.14, 0.16 as 0.14, 0.17 at 0.05.
+/// Share of the added variance of the distances that is left when spots have settled. With it 0.12, 0.14, 0.16 become 0.12, 0.13,
+/// 0.15 at area/spacing² 0.12, and 0.14, 0.16 become 0.14, 0.17 at 0.05.
 const LEFT_VARIANCE: f64 = 0.38;
 /// Standard deviation of the distances (÷ mean) that a jitter of one pitch adds; a first guess, which is corrected.
 const JITTER_EFFECT: f64 = 0.25;
-/// Jittered by more pitches than this, spots stand as at random.
+/// Largest jitter, pitches: with more, the places are practically random.
 const MOST_JITTER: f64 = 1.2;
 
-/// Spots that stand as far apart, and as unevenly, as asked.
+/// Spots with the distances and the unevenness asked for.
 pub struct Spaced<'a> {
-    /// Before they are jittered.
+    /// The spots before the jitter.
     pub laid: Laid<'a>,
-    /// Where they are, cells.
+    /// Their places, cells.
     pub places: Vec<[f64; 2]>,
     /// Random displacement, by region.
     pub jitter: Vec<Jitter>,
@@ -72,7 +73,7 @@ pub fn lay_spaced<'a>(plan: &Plan, maps: &'a ParameterField, seed: u64) -> Space
         let laid = Laid::new(plan, plan.lookup.repitched(maps, &pitch), &pitch, seed);
         let places = laid.jittered(plan, &jitter);
         if round == 0 {
-            // Their number changes a little from round to round: the first one decides.
+            // Their number changes a little from round to round: that of the first round is used.
             rounds = corrections(places.len());
             if rounds == 0 {
                 return Spaced { laid, places, jitter, pitch };
@@ -81,7 +82,7 @@ pub fn lay_spaced<'a>(plan: &Plan, maps: &'a ParameterField, seed: u64) -> Space
         let mut found = errors_at(plan, &places);
         correct_jitter(plan, &mut jitter, &found);
         if rounds == 1 && is_jittered(&jitter) {
-            // Many spots keep their mean distance when they are laid again, so that the jitter can be tried on these.
+            // Many spots keep their mean distance when they are laid again, so that the jitter can be tested with these.
             found = errors_at(plan, &laid.jittered(plan, &jitter));
             correct_jitter(plan, &mut jitter, &found);
         }
@@ -95,13 +96,13 @@ pub fn lay_spaced<'a>(plan: &Plan, maps: &'a ParameterField, seed: u64) -> Space
     Spaced { laid, places, jitter, pitch }
 }
 
-/// How spots at these places, cells, differ from what is asked, by region.
+/// Errors of spots at these places, cells, against the wanted attributes, by region.
 fn errors_at(plan: &Plan, places: &[[f64; 2]]) -> Vec<SpotErrors> {
     let spots = spots_at(plan, places);
     plan.on_canvas(|target| spot_errors(&spots, target))
 }
 
-/// Corrects the jitter of each region by what was found with it.
+/// Corrects the jitter of each region by the errors found with it.
 fn correct_jitter(plan: &Plan, jitter: &mut [Jitter], found: &[SpotErrors]) {
     for (index, (jitter, found)) in jitter.iter_mut().zip(found).enumerate() {
         let asked = plan.lookup.spread(index).spacing;
@@ -116,14 +117,14 @@ fn is_jittered(jitter: &[Jitter]) -> bool {
 /// Random displacement of the places of a region.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Jitter {
-    /// Pitches.
+    /// Largest displacement, pitches.
     by: f64,
-    /// Coefficient of variation of the distances without it, once known.
+    /// Coefficient of variation of the distances without jitter, once it is known.
     own: Option<f64>,
 }
 
 impl Jitter {
-    /// The displacement that gives settled spots a coefficient of variation of `asked`, where the places now have `got`.
+    /// The jitter that gives settled spots a coefficient of variation of `asked`, if the places now have `got`.
     fn towards(self, asked: f64, got: f64) -> Self {
         let Some(own) = self.own else {
             let excess = ((asked * asked - got * got).max(0.0) / LEFT_VARIANCE).sqrt();
@@ -136,13 +137,13 @@ impl Jitter {
     }
 }
 
-/// Spots that have the room that they need.
+/// Spots with the room that they need.
 pub struct Laid<'a> {
     /// Parameters of every cell.
     pub maps: Cow<'a, ParameterField>,
-    /// Where they are without jitter, cells.
+    /// Their places without jitter, cells.
     pub places: Places,
-    /// Parameters of the room that each takes.
+    /// Parameters of the room of each spot.
     own: Vec<Parameters>,
     pub scores: Scores,
     rng: Pcg64Mcg,
@@ -187,18 +188,18 @@ impl<'a> Laid<'a> {
     }
 }
 
-/// The pinned spots of `plan` with the room that each takes among the others; `pitch` is by region.
+/// The pinned spots of `plan` with their room among the others; `pitch` is by region.
 pub fn pinned_spots(plan: &Plan, pitch: &[f64]) -> Vec<rd::PinnedSpot> {
     plan.pinned_spots().iter().map(|spot| spot.among_others(&plan.lookup, pitch)).collect()
 }
 
-/// Another random stream than the one of the places.
+/// A random stream different from that of the places.
 pub fn own_rng(seed: u64) -> Pcg64Mcg {
     Pcg64Mcg::seed_from_u64(seed ^ 0x7370_7265_6164)
 }
 
-/// Moves spots at random, pinned ones excepted: along either axis by the mean of two uniform random numbers from −1 to 1,
-/// times the jitter of the place.
+/// Displaces spots at random, except pinned ones: along either axis by the mean of two uniform random numbers from −1 to 1, times
+/// the jitter of the place.
 fn displace(plan: &Plan, places: &mut Places, own: &[Parameters], jitter: &[Jitter], rng: &mut Pcg64Mcg) {
     let lookup = &plan.lookup;
     let by: Vec<f64> = jitter.iter().map(|jitter| jitter.by).collect();

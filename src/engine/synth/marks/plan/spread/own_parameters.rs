@@ -6,7 +6,7 @@ use crate::synth::marks::plan::lattice::NodeOffset;
 use crate::synth::marks::plan::one_spot::{deviating, room_of};
 use crate::synth::marks::plan::spread::deviations::Scores;
 
-/// By how much the parameters of the spots at `places` (cells) differ, and the parameters of the room that these take.
+/// The differences of the parameters of the spots at `places` (cells), and the parameters of their room.
 pub fn own_of_all(
     plan: &Plan,
     places: &[[f64; 2]],

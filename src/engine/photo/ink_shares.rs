@@ -1,13 +1,14 @@
-//! Ink and ground, by comparison with what is around: local segmentation at two levels.
+//! Marks and ground, by comparison with the surroundings: local segmentation with two means.
 //!
 //! ```text
 //! cᵢ(x) = Σ w·[c > m]·c ÷ Σ w·[c > m]     c_g(x) = Σ w·[c ≤ m]·c ÷ Σ w·[c ≤ m]     m(x) = (cᵢ + c_g) ÷ 2
 //! p(x) = (c − c_g) ÷ max(cᵢ − c_g, floor)
 //! ```
 //!
-//! with Gaussian weights w of one wavelength: the two means and their midpoint m in turn, as in the threshold selection of
-//! T. Ridler & S. Calvard ("Picture thresholding using an iterative selection method", IEEE Trans. SMC 8 (1978)), for each
-//! place by itself. At last the means are those of the clear insides alone, which the px of blurred edges do not move.
+//! with Gaussian weights w of one wavelength: the two means and their midpoint m are computed in turn, as in the threshold
+//! selection of T. Ridler & S. Calvard ("Picture thresholding using an iterative selection method", IEEE Trans. SMC 8 (1978)), but
+//! for each place separately. In the end the means are those of the clear insides alone, so that the px of blurred edges have no
+//! effect.
 
 use rayon::prelude::*;
 
@@ -17,15 +18,16 @@ use super::coarse::{Blocks, Coarse, wide};
 const ROUNDS: usize = 5;
 /// Clear insides are this far from the midpoint: p below ½ − CLEAR or above ½ + CLEAR.
 const CLEAR: f32 = 0.25;
-/// Share of the neighbourhood that the mean over the whole picture counts as: a place without ink takes that of the picture.
+/// Weight of the mean over the whole picture, as a share of the neighbourhood: a place without ink gets the mean ink of the
+/// picture.
 const WHOLE: f32 = 0.002;
-/// Where ink and ground differ by less than this share of their usual difference, there is no ink: only noise differs.
-/// Tried on degraded textures (photographs of vignettes lose up to half of their contrast).
+/// Least difference of ink and ground as a share of their usual difference; with a smaller one there is no ink, only noise. Tried
+/// on degraded textures (photographs with vignettes lose up to half of their contrast).
 const FLOOR: f32 = 0.35;
 
-/// What ink and ground are like, place by place.
+/// Ink and ground of each place.
 #[derive(Clone, Debug)]
-pub struct Phases {
+pub struct InkShares {
     /// Ground = 0, ink = 1; one value a cell. Not clipped.
     pub share: Vec<f32>,
     /// The usual difference of ink and ground, in units of the channel: its median over the picture.
@@ -38,9 +40,10 @@ struct Means {
     ground: Coarse,
 }
 
-/// The phases of a channel on `size` cells, whose marks repeat after about `wavelength` cells. Ink is where the channel is high.
+/// The shares of ink in a channel on `size` cells, whose marks repeat after about `wavelength` cells. Ink is where the channel is
+/// high.
 #[must_use]
-pub fn phases(channel: &[f32], size: [usize; 2], wavelength: f64) -> Phases {
+pub fn ink_shares(channel: &[f32], size: [usize; 2], wavelength: f64) -> InkShares {
     let blocks = Blocks::new(size, wavelength);
     let (slow, threshold) = beginning(channel, size, wavelength);
     let mut around = means(
@@ -83,7 +86,7 @@ pub fn phases(channel: &[f32], size: [usize; 2], wavelength: f64) -> Phases {
         let values = &channel[y * size[0]..];
         out.iter_mut().enumerate().for_each(|(x, out)| *out = around.share(&rows, x, values[x], floor));
     });
-    Phases { share, contrast }
+    InkShares { share, contrast }
 }
 
 impl Means {
@@ -97,7 +100,7 @@ impl Means {
         [self.ink.row(y), self.ground.row(y)]
     }
 
-    /// Where `value` lies between ground (0) and ink (1) in a column of such rows.
+    /// The position of `value` between ground (0) and ink (1) in a column of such rows.
     fn share(&self, rows: &[Vec<f32>; 2], x: usize, value: f32, floor: f32) -> f32 {
         let (ink, ground) = (self.ink.in_row(&rows[0], x), self.ground.in_row(&rows[1], x));
         (value - ground) / (ink - ground).max(floor).max(f32::MIN_POSITIVE)
@@ -112,14 +115,14 @@ impl Means {
     }
 }
 
-/// The channel, blurred by two wavelengths, and how far above it ink begins: by Otsu's threshold of the difference.
+/// The channel, blurred by two wavelengths, and the height above it at which ink begins: by Otsu's threshold of the difference.
 fn beginning(channel: &[f32], size: [usize; 2], wavelength: f64) -> (Vec<f32>, f32) {
     let slow = wide(channel, size, 2.0 * wavelength);
     let apart: Vec<f32> = channel.iter().zip(&slow).map(|(value, slow)| value - slow).collect();
     (slow, split(&apart))
 }
 
-/// Bins of the histogram that is split: fine against the noise of photographs.
+/// Bins of the histogram that is split: narrower than the noise of photographs.
 const BINS: usize = 512;
 
 /// The threshold between the two groups of values that differ most from each other (N. Otsu, "A threshold selection method from
@@ -150,7 +153,7 @@ fn split(values: &[f32]) -> f32 {
     low + width * (at as f32 + 1.0)
 }
 
-/// The means over the cells that `side` calls ink and ground. `row` is what it needs to know of a row of cells.
+/// The means over the cells that `side` classifies as ink and as ground. `row` prepares the data of a row of cells for it.
 fn means<R>(
     channel: &[f32],
     blocks: Blocks,
@@ -187,7 +190,7 @@ mod tests {
     fn light_that_falls_off_leaves_ink_and_ground_as_they_are() {
         let size = [160, 120];
         let discs = discs(size);
-        // From corner to corner the light rises by three times the contrast, and the contrast doubles.
+        // From corner to corner the light increases by three times the contrast, and the contrast doubles.
         let light =
             |k: usize| ((k % size[0]) as f32 / size[0] as f32 + (k / size[0]) as f32 / size[1] as f32) / 2.0;
         let channel: Vec<f32> = discs
@@ -195,7 +198,7 @@ mod tests {
             .enumerate()
             .map(|(k, disc)| 0.9 * light(k) + 0.2 * (1.0 + light(k)) * disc)
             .collect();
-        let found = phases(&channel, size, 20.0);
+        let found = ink_shares(&channel, size, 20.0);
         let wrong =
             found.share.iter().zip(&discs).filter(|(share, disc)| (**share > 0.5) != (**disc > 0.5)).count();
         assert!(wrong <= 3, "{wrong}");
@@ -210,7 +213,7 @@ mod tests {
             let noise = ((k * 7919) % 1000) as f32 / 1000.0 - 0.5;
             *value = if k % size[0] > 110 { 0.0 } else { *value } + 0.2 * noise;
         }
-        let found = phases(&channel, size, 20.0);
+        let found = ink_shares(&channel, size, 20.0);
         let ink =
             found.share.iter().enumerate().filter(|(k, share)| k % size[0] > 115 && **share > 0.5).count();
         assert_eq!(ink, 0);

@@ -1,0 +1,69 @@
+//! The system that grows a layer on a model, and which phase of its stripes.
+
+use crate::attributes::system::MarkKind;
+use crate::attributes::{Attributes, Polarity};
+use crate::document::{Layer, SystemChoice};
+use crate::rd::{LinesAlongCurves, System};
+use crate::synth::marks::plan::around::curve_kind;
+use crate::synth::marks::plan::offset_curves::CurveKind;
+
+/// What grows a layer.
+#[derive(Clone, Copy, Debug)]
+pub struct Choice {
+    /// The system.
+    pub system: System,
+    /// Whether stripes are its lines, or the gaps between them.
+    pub polarity: Polarity,
+    /// The curves round or between the marks beneath that its lines run along, and the laws of these; `None` where they run freely.
+    pub curves: Option<(CurveKind, LinesAlongCurves)>,
+}
+
+/// Whether a system grows on models.
+#[must_use]
+pub fn grows(system: System) -> bool {
+    system.definition().by_rows.is_some()
+}
+
+/// The systems that grow on models.
+pub fn systems() -> impl Iterator<Item = System> {
+    System::ALL.into_iter().filter(|system| grows(*system))
+}
+
+impl Choice {
+    /// What grows a layer that asks for these attributes. Where the layer leaves its system open, spots take the first one of which
+    /// is known what a coarse mesh does to it, and stripes one with a free wavelength where they have one.
+    ///
+    /// `None` where it asks for a system that does not grow on models, or for one of other marks.
+    #[must_use]
+    pub fn new(layer: &Layer, wanted: &[Attributes]) -> Option<Self> {
+        let first = wanted.first()?;
+        if let Some(kind) = curve_kind(layer.after) {
+            let along = |system: System| Some((system, system.definition().along_curves?));
+            let (system, laws) = systems().find_map(along)?;
+            return Some(Self { system, polarity: Polarity::Positive, curves: Some((kind, laws)) });
+        }
+        let open = match first {
+            Attributes::Spots(_) => systems().find(|system| system.definition().fineness.is_some()),
+            Attributes::Stripes(stripes) => {
+                let free = stripes.wavelength.is_some();
+                systems().find(|system| system.is_striped() && system.description().free_spacing == free)
+            }
+        };
+        let system = match layer.wanted_system() {
+            SystemChoice::Auto | SystemChoice::Stripes => open?,
+            given => given.system().filter(|system| grows(*system))?,
+        };
+        let is_striped = matches!(first, Attributes::Stripes(_));
+        if is_striped != (system.description().marks == MarkKind::Stripes) {
+            return None;
+        }
+        let duties = wanted.iter().filter_map(|wanted| match wanted {
+            Attributes::Stripes(stripes) if stripes.wavelength.is_some() => Some(stripes.duty()),
+            _ => None,
+        });
+        let (sum, count) = duties.fold((0.0, 0), |(sum, count), duty| (sum + duty, count + 1));
+        let polarity =
+            if count == 0 { Polarity::Positive } else { Polarity::of_duty(sum / f64::from(count)) };
+        Some(Self { system, polarity, curves: None })
+    }
+}
