@@ -1,4 +1,6 @@
-//! `dapple film`: a growth, or the change from one document to another, as a film.
+//! `dapple film`: a growth, the change from one document to another, or a model that turns, as a film.
+
+mod turn;
 
 use super::estimate::{Estimate, Underway};
 use super::flat::check_flat;
@@ -31,6 +33,9 @@ pub struct Args {
     /// Change the document into this one instead of growing it
     #[arg(long, value_name = "OTHER.dapple")]
     pub to: Option<PathBuf>,
+    /// Grow a document on a model, then turn it once about its upward axis
+    #[arg(long, conflicts_with = "to")]
+    pub turn: bool,
     /// The longer side of a frame, px [default: that of the canvas, at most 480]
     #[arg(long, value_name = "PX", value_parser = values::whole(clip::SIDES))]
     pub side: Option<u32>,
@@ -85,6 +90,13 @@ impl Args {
         Clip { side, seconds, fps, once, hold: hold.unwrap_or(Clip::default().hold) }
     }
 
+    /// Says which given options do nothing.
+    fn say_idle(&self, kind: Kind) {
+        if !self.quiet {
+            self.idle(kind).iter().for_each(|line| super::note(line));
+        }
+    }
+
     /// One note for each given option that has no effect on a film of this `kind`.
     fn idle(&self, kind: Kind) -> Vec<String> {
         let repeats = "it is for a film that repeats, a .gif, .png or .apng without --once";
@@ -105,7 +117,14 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let kind = args.check()?;
     let document = args.settings.read(&args.file)?;
     let document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
-    check_flat(&document, &args.file, "a film")?;
+    if args.turn {
+        turn::model(args, &document)?;
+        args.threads.into_iter().for_each(threads::set_shared);
+        turn::run(args, &document, kind)?;
+        args.say_idle(kind);
+        return Ok(());
+    }
+    check_flat(&document, &args.file, "a film without --turn")?;
     let other = args.to.as_deref().map(Document::read).transpose()?;
     if let (Some(other), Some(file)) = (&other, &args.to) {
         check_flat(other, file, "a film")?;
@@ -155,9 +174,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     bar.clear();
     let (prepared, _) = written.map_err(film_error)?;
     prepared.keep().map_err(Error::step)?;
-    if !args.quiet {
-        args.idle(kind).iter().for_each(|line| super::note(line));
-    }
+    args.say_idle(kind);
     Ok(())
 }
 

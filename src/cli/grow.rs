@@ -2,11 +2,13 @@
 
 mod batch;
 mod body;
+mod body_picture;
 mod idle;
 mod look;
 mod material;
 mod outlines;
 mod pictures;
+mod textured;
 
 use super::estimate::{Estimate, Underway};
 use super::json::known;

@@ -12,10 +12,17 @@ use crate::export::outline::Ends;
 use crate::marks::axial;
 use crate::photo::{Corners, Crop, LEVELS};
 
-/// `WxH`, such as `4096x4096`, px.
+/// `WxH`, such as `4096x4096`, px, or one number for both sides.
 pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
-    let allowed = || format!("allowed: WIDTHxHEIGHT, 1 to {} px each, such as 4096x4096", limits::MAX_SIDE);
-    let (width, height) = text.split_once(['x', 'X', '×']).ok_or_else(allowed)?;
+    let allowed = || {
+        format!(
+            "allowed: WIDTHxHEIGHT, 1 to {} px each, such as 4096x4096, or one number for both",
+            limits::MAX_SIDE
+        )
+    };
+    let is_one = !text.is_empty() && text.bytes().all(|c| c.is_ascii_digit());
+    let both = is_one.then_some((text, text));
+    let (width, height) = both.or_else(|| text.split_once(['x', 'X', '×'])).ok_or_else(allowed)?;
     let side = |text: &str| {
         // Rust's parser would accept `+5`.
         let side = text.bytes().all(|c| c.is_ascii_digit()).then(|| text.parse::<u64>().ok()).flatten();

@@ -10,6 +10,7 @@ mod film;
 mod heights;
 mod import;
 mod input;
+mod maps;
 mod model;
 mod pictures;
 mod save;
@@ -24,6 +25,7 @@ pub use film::{PreparedFilm, SaveFilm, film_kind, write_film};
 pub use heights::read_heights;
 pub use import::{import_photo, import_svg, is_svg, measure_file, measure_patches, open_picture, read_tone};
 pub use input::{Input, input, is_pipe, is_standard_output, stem};
+pub use maps::prepare_maps;
 pub use model::{ModelFile, read_model};
 pub use pictures::{SavePicture, check_picture, prepare_concentrations};
 pub use save::{

@@ -10,12 +10,13 @@ use crate::sources::{ENGINE, module, root, sources};
 
 /// The paths, or beginnings of paths, in which each external package may be named. Tests inside source files may name
 /// any package.
-pub const ADDRESSES: [(&str, &[&str]); 40] = [
+pub const ADDRESSES: [(&str, &[&str]); 42] = [
     ("ab_glyph", &["src/cli/sheet/"]),
     (
         "base64",
         &["src/engine/document/tone.rs", "src/engine/document/link.rs", "src/engine/surface/model/gltf/"],
     ),
+    ("bevy_mikktspace", &["src/engine/export/bake/tangents.rs"]),
     ("bytemuck", &["src/engine/rd/"]),
     ("clap", &["src/cli/", "data-gen/"]),
     ("clap_complete", &["src/cli/"]),
@@ -91,6 +92,7 @@ pub const ADDRESSES: [(&str, &[&str]); 40] = [
     ("tempfile", &["src/machine/"]),
     ("tiff", &["src/engine/export/", "src/engine/photo/decode"]),
     ("usvg", &["src/engine/sketch/svg"]),
+    ("uvunwrap", &["src/engine/export/bake/unwrap.rs"]),
     ("web_time", &["src/machine/"]),
     ("zip", &["src/machine/browser/"]),
 ];

@@ -4,29 +4,23 @@ use std::io::Write;
 use std::path::Path;
 use std::sync::atomic::Ordering;
 
+use super::textured::{self, Written};
 use super::{Args, is_stdout};
 use crate::cli::estimate::Estimate;
 use crate::cli::progress::Bar;
 use crate::cli::{self, Error};
 use crate::document::{Body, BodySource, Document};
-use crate::export::body::View;
-use crate::export::png::{Header, Samples};
-use crate::export::{Format, Stopped, has_ending, picture};
-use crate::files::{self, Prepared, read_model};
-use crate::machine::aside::aside;
+use crate::export::{Format, has_ending};
+use crate::files::{self, read_model};
 use crate::machine::clock::Instant;
 use crate::machine::{free_memory, threads};
-use crate::synth::body::{BodyGrowth, BodyLayerReport, BodyReport, GrownBody};
-use crate::synth::{Options, Training, Watch, memory};
+use crate::synth::body::{BodyGrowth, BodyLayerReport, BodyReport};
+use crate::synth::{Options, Training, Watch};
 
 /// Endings of files that hold models.
-pub const MODELS: [&str; 2] = ["glb", "ply"];
-/// Width and height of a picture of a model, px.
-const SIZE: [u32; 2] = [1_024, 1_024];
-/// The direction from which a model is seen: azimuth and elevation, degrees.
-const VIEW: [f64; 2] = [-30.0, 18.0];
-/// Bytes of memory for each px of a picture while it is drawn: three times what was measured at 5000 × 5000 px.
-const PX: f64 = 16.0;
+pub const MODELS: [&str; 4] = ["glb", "ply", "obj", "stl"];
+/// The greatest height of marks, mm.
+const MOST_MM: f64 = 1_000.0;
 
 /// Options for models.
 #[derive(clap::Args, Clone, Debug)]
@@ -38,6 +32,9 @@ pub struct BodyArgs {
     /// [default: -30,18]
     #[arg(long, value_name = "AZ,EL", value_parser = view, allow_hyphen_values = true)]
     pub view: Option<[f64; 2]>,
+    /// Raise the marks of a model by MM millimetres, for a printer: with -o OUT.stl or OUT.ply; below 0 they are hollows
+    #[arg(long, value_name = "MM", value_parser = millimetres, allow_hyphen_values = true)]
+    pub displace: Option<f64>,
 }
 
 /// Whether a file of this name holds a model.
@@ -57,7 +54,11 @@ pub fn check_flat(args: &Args) -> Result<(), Error> {
             "--output: found {output}, which holds a model, and {file} has none; allowed: a picture or outlines, such as a .png"
         )));
     }
-    let given = [("--view", args.body.view.is_some()), ("--model", args.body.model.is_some())];
+    let given = [
+        ("--view", args.body.view.is_some()),
+        ("--model", args.body.model.is_some()),
+        ("--displace", args.body.displace.is_some()),
+    ];
     match given.iter().find(|(_, is_given)| *is_given) {
         Some((option, _)) => Err(Error::Usage(format!(
             "{option}: {file} grows on no model; allowed: with a document that has a \"model\""
@@ -77,6 +78,12 @@ fn view(text: &str) -> Result<[f64; 2], String> {
     parsed.filter(fits).ok_or_else(|| allowed.to_owned())
 }
 
+/// The height of marks, mm.
+fn millimetres(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse::<f64>().ok().filter(|number| number.abs() <= MOST_MM && *number != 0.0);
+    number.ok_or_else(|| format!("allowed: numbers from -{MOST_MM} to {MOST_MM}, mm, but 0, such as 0.8"))
+}
+
 /// Refuses options that have no meaning for a document on a model.
 fn check(args: &Args) -> Result<(), Error> {
     const FLAT: &str =
@@ -90,11 +97,10 @@ fn check(args: &Args) -> Result<(), Error> {
         ("--svg", args.outlines.svg.is_some(), FLAT),
         ("--dxf", args.outlines.dxf.is_some(), FLAT),
         (
-            "--material",
-            args.material.material.is_some(),
-            "maps on the coordinates of a model are not made yet; allowed: -o OUT.glb",
+            "--depth",
+            args.look.depth == 16 && args.material.material.is_none(),
+            "pictures of models have 8 bits; allowed: with --material",
         ),
-        ("--depth", args.look.depth == 16, "pictures of models have 8 bits; allowed: without it"),
         ("--tone", args.tone.is_some(), LATER),
         ("--map", !args.maps.is_empty(), LATER),
     ];
@@ -102,16 +108,11 @@ fn check(args: &Args) -> Result<(), Error> {
     if let Some((option, _, reason)) = found {
         return Err(Error::Usage(format!("{option}: {}: {reason}", args.file.display())));
     }
+    textured::check(args)?;
     let Some(output) = &args.output else { return Ok(()) };
     let pictures = Format::ENDINGS.iter().map(|(ending, _)| *ending);
     let endings: Vec<_> = pictures.chain(MODELS).collect();
     files::check_ending(output, &endings).map_err(Error::step)
-}
-
-/// Width and height of the picture, px.
-fn size(args: &Args) -> [u32; 2] {
-    let scale = args.scale.unwrap_or(1);
-    args.size.unwrap_or(SIZE).map(|side| side.saturating_mul(scale))
 }
 
 /// Grows a document that has a model.
@@ -151,9 +152,9 @@ pub fn grow(args: &Args, document: &Document, body: &Body, training: &Training) 
     let estimate = Estimate { training, quiet: args.quiet };
     estimate.announce_seconds(seconds / rayon::current_num_threads() as f64);
     let grown = growth.run().map_err(Error::grown)?;
-    let written = args.output.as_deref().map(|path| prepare(path, args, &grown));
+    let written = textured::prepare(args, &grown, &watch);
     bar.clear();
-    let mut written: Vec<Prepared> = written.transpose()?.into_iter().collect();
+    let Written { files: mut written, notes: said } = written?;
     let report = grown.report(&source, started.elapsed().as_secs_f64());
     if let Some(path) = args.report.as_ref().filter(|path| !is_stdout(path)) {
         let text = text(&report)?;
@@ -167,49 +168,9 @@ pub fn grow(args: &Args, document: &Document, body: &Body, training: &Training) 
         if model.is_some_and(|model| model.is_changed) {
             cli::note(&format!("{} is not the file that it was when the document was made", body.source));
         }
-        notes(&report).iter().for_each(|line| cli::note(line));
+        notes(&report).iter().chain(&said).for_each(|line| cli::note(line));
     }
     Ok(())
-}
-
-/// Writes the picture or the model under a temporary name.
-fn prepare(path: &Path, args: &Args, grown: &GrownBody) -> Result<Prepared, Error> {
-    let written = if has_ending(path, "glb") {
-        files::prepare(path, |out| grown.write_glb(out))
-    } else if has_ending(path, "ply") {
-        files::prepare(path, |out| grown.write_ply(out))
-    } else {
-        return prepare_picture(path, args, grown);
-    };
-    written.map_err(Error::exported)
-}
-
-fn prepare_picture(path: &Path, args: &Args, grown: &GrownBody) -> Result<Prepared, Error> {
-    let format = Format::from_path(path).unwrap_or(Format::Png);
-    let size = size(args);
-    let px = size.map(|side| side as usize);
-    memory::check_picture(px, PX, Some(free_memory())).map_err(Error::step)?;
-    let [azimuth, elevation] = args.body.view.unwrap_or(VIEW);
-    let is_clear = args.look.transparent && format != Format::Jpeg;
-    let mut view = View::new(azimuth, elevation, size);
-    if is_clear {
-        view.background = None;
-    }
-    let drawn = grown.picture(&view);
-    let style = args.look.style_for(&grown.document, true, crate::document::Extent::default());
-    let samples = if is_clear { Samples::Rgba8 } else { Samples::Rgb8 };
-    let header = Header { texts: &style.texts, ..Header::new(px, samples) };
-    let encoding = picture::Encoding { quality: style.quality, aside };
-    let written = files::prepare(path, |out| {
-        picture::write(out, format, encoding, header, |rows, band| {
-            let px_of_rows = drawn.rgba[4 * rows.start * px[0]..4 * rows.end * px[0]].chunks_exact(4);
-            for (to, from) in band.chunks_exact_mut(samples.bytes()).zip(px_of_rows) {
-                to.copy_from_slice(&from[..samples.bytes()]);
-            }
-            Ok::<(), Stopped>(())
-        })
-    });
-    written.map_err(Error::exported)
 }
 
 fn text(report: &BodyReport) -> Result<String, Error> {

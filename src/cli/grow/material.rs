@@ -116,7 +116,7 @@ impl Material {
 }
 
 /// The name of a document's material.
-fn set_name(file: &Path) -> String {
+pub fn set_name(file: &Path) -> String {
     name(&file.file_stem().unwrap_or_default().to_string_lossy())
 }
 

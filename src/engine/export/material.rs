@@ -172,10 +172,23 @@ pub fn write(
     outputs: &mut [impl Write + Send],
     set: &Set,
     rows_a_band: usize,
+    fill: impl FnMut(Range<usize>, &mut [Vec<u8>]) -> Result<(), Stopped>,
+) -> Result<(), Failed> {
+    write_some(outputs, set, &set.maps(), rows_a_band, fill)
+}
+
+/// Writes only some of the `maps` of `set`, as [`write`] does.
+///
+/// # Errors
+/// The error of `fill` or of an output; [`Failed::at`] is the place in `maps`.
+pub fn write_some(
+    outputs: &mut [impl Write + Send],
+    set: &Set,
+    maps: &[Map],
+    rows_a_band: usize,
     mut fill: impl FnMut(Range<usize>, &mut [Vec<u8>]) -> Result<(), Stopped>,
 ) -> Result<(), Failed> {
     let rows_a_band = rows_a_band.max(1);
-    let maps = set.maps();
     let [width, height] = set.size;
     let mut started = Vec::with_capacity(maps.len());
     for (at, (map, output)) in maps.iter().zip(outputs).enumerate() {
@@ -188,7 +201,7 @@ pub fn write(
     let mut bands: Vec<Vec<u8>> = vec![Vec::new(); maps.len()];
     for top in (0..height).step_by(rows_a_band) {
         let rows = top..height.min(top + rows_a_band);
-        for (band, map) in bands.iter_mut().zip(&maps) {
+        for (band, map) in bands.iter_mut().zip(maps) {
             band.resize(rows.len() * width * map.samples(set.deep, set.transparent).bytes(), 0);
         }
         // `fill` does not belong to one file: the error names the first one.

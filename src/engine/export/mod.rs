@@ -7,6 +7,7 @@
 //! [`downscale()`] makes a small picture of a large one. All of them write to any stream; [`ExportError`] tells the user why a file
 //! was not written.
 
+pub mod bake;
 pub mod body;
 mod downscale;
 mod error;

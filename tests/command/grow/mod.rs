@@ -34,6 +34,7 @@ mod running;
 mod seeding;
 mod sketches;
 mod spread;
+mod textures;
 mod tips;
 mod tone;
 mod turing_growth;

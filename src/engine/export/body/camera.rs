@@ -1,6 +1,7 @@
 //! The view of a model: direction, size of the picture, and perspective.
 
 use super::vector::{Vector, dot, minus, plus};
+use crate::surface::Mesh;
 
 /// A direction of view and the size of the picture. The whole model is in the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,13 +16,15 @@ pub struct View {
     pub background: Option<[f32; 3]>,
     /// Whether the model casts a shadow on a floor under it.
     pub shadow: bool,
+    /// Whether the distance is one from which the whole model is in the picture from all sides: the model can be turned.
+    pub turns: bool,
 }
 
 impl View {
     /// A view for a picture of this size in px, on a light gray ground with a shadow.
     #[must_use]
     pub fn new(azimuth: f64, elevation: f64, size: [u32; 2]) -> Self {
-        Self { azimuth, elevation, size, background: Some([0.76; 3]), shadow: true }
+        Self { azimuth, elevation, size, background: Some([0.76; 3]), shadow: true, turns: false }
     }
 }
 
@@ -42,6 +45,8 @@ pub struct Camera {
 
 impl Camera {
     pub fn new(view: &View, places: &[Vector]) -> Self {
+        let swept = view.turns.then(|| swept(places));
+        let places = swept.as_deref().unwrap_or(places);
         let (sin, cos) = libm::sincos(view.azimuth.to_radians());
         let (sine, cosine) = libm::sincos(view.elevation.to_radians());
         let axes = [[cos, 0.0, -sin], [-sin * sine, cosine, -cos * sine], [sin * cosine, sine, cos * cosine]];
@@ -79,12 +84,46 @@ impl Camera {
         [self.middle[0] + x, self.middle[1] - y, near]
     }
 
+    /// The length that a px shows of what is seen at this 1 ÷ depth and faces the viewer.
+    pub fn px(&self, near: f64) -> f64 {
+        1.0 / (self.scale * near)
+    }
+
     /// The direction from the eye to a point of the picture; not of length 1.
     pub fn ray(&self, [x, y]: [f64; 2]) -> Vector {
         let forward = self.axes[2].map(|value| -value);
         let right = plus(forward, (x - self.middle[0]) / self.scale, self.axes[0]);
         plus(right, (self.middle[1] - y) / self.scale, self.axes[1])
     }
+}
+
+/// The length that a px shows of the middle of a model with these vertices.
+#[must_use]
+pub fn length_of_px(view: &View, places: &[Vector]) -> f64 {
+    let camera = Camera::new(view, places);
+    let [low, high] = Mesh { positions: places.to_vec(), faces: Vec::new() }.bounds();
+    let middle = plus(low, 0.5, minus(high, low));
+    camera.px(camera.seen(middle)[2])
+}
+
+/// Corners around all places, however they are turned about the upward axis through their middle.
+fn swept(places: &[Vector]) -> Vec<Vector> {
+    /// Corners of a circle.
+    const ROUND: usize = 64;
+    let finite = || places.iter().filter(|place| place.iter().all(|value| value.is_finite()));
+    let range = |axis: usize| {
+        let (low, high) =
+            finite().fold((f64::MAX, f64::MIN), |(low, high), at| (low.min(at[axis]), high.max(at[axis])));
+        [low, high]
+    };
+    let [x, y, z] = [range(0), range(1), range(2)];
+    let [x, z] = [x, z].map(|[low, high]| 0.5 * (low + high));
+    let radius = finite().map(|at| libm::hypot(at[0] - x, at[2] - z)).fold(0.0, f64::max);
+    let corners = (0..ROUND).flat_map(|k| {
+        let (sin, cos) = libm::sincos(std::f64::consts::TAU * k as f64 / ROUND as f64);
+        y.map(|height| [x + radius * cos, height, z + radius * sin])
+    });
+    if finite().next().is_some() { corners.collect() } else { Vec::new() }
 }
 
 #[cfg(test)]
@@ -138,5 +177,17 @@ mod tests {
             let camera = Camera::new(&View::new(0.0, 0.0, [10, 10]), places);
             assert!(places.iter().all(|place| place[0].is_nan() || camera.seen(*place)[2] > 0.0));
         }
+    }
+
+    #[test]
+    fn a_model_that_turns_keeps_its_size() {
+        let bar: Vec<Vector> =
+            [[-9.0, 0.0, 0.0], [9.0, 2.0, 0.0], [0.0, 1.0, 1.0], [0.0, 1.0, -1.0]].to_vec();
+        let height = |azimuth: f64| {
+            let camera = Camera::new(&View { turns: true, ..View::new(azimuth, 0.0, [200, 100]) }, &bar);
+            let [low, high] = [0.0, 2.0].map(|y| camera.seen([0.0, y, 0.0])[1]);
+            low - high
+        };
+        assert!([10.0, 90.0, 200.0].iter().all(|azimuth| (height(*azimuth) - height(0.0)).abs() < 0.01));
     }
 }

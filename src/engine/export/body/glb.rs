@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use serde_json::{Map, Value, json};
 
 use super::paint::Coloured;
+use super::skin::{Skin, SkinPicture};
 use super::vector::unit;
 use crate::export::Stopped;
 
@@ -15,15 +16,38 @@ const INDEX: u32 = 5125;
 const ATTRIBUTES: u32 = 34_962;
 const INDICES: u32 = 34_963;
 
+/// How a picture is read: between four texels, from copies of all sizes, and not repeated beyond its border.
+const LINEAR: u32 = 9_729;
+const MIPS: u32 = 9_987;
+const CLAMP: u32 = 33_071;
+
 /// Writes a `.glb` with a mesh for each part. Colours are linear light, as the format wants them, and multiply a rough white
 /// material of the part's name. Parts without triangles are left out; coordinates that are no numbers become 0.
 ///
 /// # Errors
 /// The bytes cannot be written, or are more than the format can hold: 4 GiB.
-pub fn glb(mut out: impl Write, parts: &[Coloured]) -> Result<(), Stopped> {
-    let mut file = File::default();
-    parts.iter().filter(|part| !part.mesh.faces.is_empty()).for_each(|part| file.push(part));
-    let (mut text, mut bytes) = (file.text(), file.bytes);
+pub fn glb(out: impl Write, parts: &[Coloured]) -> Result<(), Stopped> {
+    File::new(parts, None).write(out)
+}
+
+/// Writes a `.glb` as [`glb`] does; the material that the `skin` names has its pictures.
+///
+/// # Errors
+/// The bytes cannot be written, or are more than the format can hold: 4 GiB.
+pub fn textured_glb(out: impl Write, parts: &[Coloured], skin: &Skin) -> Result<(), Stopped> {
+    File::new(parts, Some(skin)).write(out)
+}
+
+/// The text of a `.gltf` with a mesh for each part, and the bytes of the file beside it, which it names `buffer`. The material that
+/// the `skin` names has its pictures.
+#[must_use]
+pub fn gltf(parts: &[Coloured], skin: &Skin, buffer: &str) -> [Vec<u8>; 2] {
+    let file = File::new(parts, Some(skin));
+    [file.text(Some(buffer)), file.bytes]
+}
+
+/// Writes the chunks of a `.glb`.
+fn chunks(mut out: impl Write, mut text: Vec<u8>, mut bytes: Vec<u8>) -> Result<(), Stopped> {
     // Both chunks end at a multiple of 4, the text with blanks.
     text.resize(text.len().next_multiple_of(4), b' ');
     bytes.resize(bytes.len().next_multiple_of(4), 0);
@@ -53,9 +77,40 @@ struct File {
     accessors: Vec<Value>,
     views: Vec<Value>,
     bytes: Vec<u8>,
+    /// The pictures of the skin, in the order of [`Skin::pictures`].
+    images: Vec<Value>,
+    /// The name of the material with pictures, and whether it is transparent.
+    skinned: Option<(String, bool)>,
 }
 
 impl File {
+    fn new(parts: &[Coloured], skin: Option<&Skin>) -> Self {
+        let mut file = Self::default();
+        parts.iter().filter(|part| !part.mesh.faces.is_empty()).for_each(|part| file.push(part));
+        if let Some(skin) = skin {
+            file.images = skin.pictures().iter().map(|picture| file.image(picture)).collect();
+            file.skinned = Some((skin.material.to_owned(), skin.transparent));
+        }
+        file
+    }
+
+    fn write(self, out: impl Write) -> Result<(), Stopped> {
+        chunks(out, self.text(None), self.bytes)
+    }
+
+    fn image(&mut self, picture: &SkinPicture) -> Value {
+        let bytes = match picture {
+            SkinPicture::Beside(name) => return json!({"uri": name}),
+            SkinPicture::Inside(bytes) => bytes,
+        };
+        let view = json!({"buffer": 0, "byteOffset": self.bytes.len(), "byteLength": bytes.len()});
+        self.views.push(view);
+        self.bytes.extend_from_slice(bytes);
+        // What follows is aligned.
+        self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
+        json!({"bufferView": self.views.len() - 1, "mimeType": "image/png"})
+    }
+
     fn push(&mut self, part: &Coloured) {
         let places: Vec<[f32; 3]> = part.mesh.positions.iter().map(|place| place.map(finite)).collect();
         let mut attributes = Map::new();
@@ -73,6 +128,9 @@ impl File {
             // From the upper left corner.
             let uvs: Vec<[f32; 2]> = part.uvs.iter().map(|[u, v]| [finite(*u), finite(1.0 - v)]).collect();
             attributes.insert("TEXCOORD_0".to_owned(), json!(self.floats(&uvs)));
+        }
+        if !part.tangents.is_empty() {
+            attributes.insert("TANGENT".to_owned(), json!(self.floats(part.tangents)));
         }
         if !part.colours.is_empty() {
             let colours: Vec<[f32; 3]> =
@@ -122,7 +180,8 @@ impl File {
         self.accessors.len() - 1
     }
 
-    fn text(&self) -> Vec<u8> {
+    /// The text of the file; `buffer` names the file of the bytes, if it is another one.
+    fn text(&self, buffer: Option<&str>) -> Vec<u8> {
         let generator = format!("dapple {}", env!("CARGO_PKG_VERSION"));
         let mut root = json!({"asset": {"version": "2.0", "generator": generator}});
         // The format does not allow empty lists.
@@ -134,12 +193,40 @@ impl File {
             root["accessors"] = json!(self.accessors);
             root["bufferViews"] = json!(self.views);
             root["buffers"] = json!([{"byteLength": self.bytes.len()}]);
+            if let Some(name) = buffer {
+                root["buffers"][0]["uri"] = json!(name);
+            }
         }
         if !self.materials.is_empty() {
-            let material = |name: &String| json!({"name": name, "pbrMetallicRoughness": {"metallicFactor": 0.0, "roughnessFactor": 0.8}});
-            root["materials"] = self.materials.iter().map(material).collect();
+            root["materials"] = self.materials.iter().map(|name| self.described(name)).collect();
+        }
+        if !self.images.is_empty() {
+            root["images"] = json!(self.images);
+            root["samplers"] =
+                json!([{"magFilter": LINEAR, "minFilter": MIPS, "wrapS": CLAMP, "wrapT": CLAMP}]);
+            let texture = |source| json!({"sampler": 0, "source": source});
+            root["textures"] = (0..self.images.len()).map(texture).collect();
         }
         root.to_string().into_bytes()
+    }
+
+    /// A material: the pictures of the skin, or a rough white.
+    fn described(&self, name: &str) -> Value {
+        match &self.skinned {
+            Some((skinned, transparent)) if skinned == name => json!({
+                "name": name,
+                "pbrMetallicRoughness": {
+                    "baseColorTexture": {"index": 0}, "metallicRoughnessTexture": {"index": 2},
+                    "metallicFactor": 1.0, "roughnessFactor": 1.0
+                },
+                "normalTexture": {"index": 1},
+                "occlusionTexture": {"index": 2},
+                "alphaMode": if *transparent { "BLEND" } else { "OPAQUE" },
+            }),
+            _ => {
+                json!({"name": name, "pbrMetallicRoughness": {"metallicFactor": 0.0, "roughnessFactor": 0.8}})
+            }
+        }
     }
 }
 
@@ -177,6 +264,7 @@ mod tests {
             mesh: &head,
             normals: &[],
             uvs: &[],
+            tangents: &[],
             colours: &colours,
         };
         let rich = Coloured {
@@ -215,6 +303,51 @@ mod tests {
     }
 
     #[test]
+    fn another_reader_finds_the_pictures_of_a_skin_inside_or_beside() {
+        let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let mesh = Mesh { positions, faces: vec![[0, 1, 2]] };
+        let part = Coloured {
+            name: "a",
+            material: "fur",
+            mesh: &mesh,
+            normals: &[[0.0, 0.0, 1.0]; 3],
+            uvs: &[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]],
+            tangents: &[[1.0, 0.0, 0.0, -1.0]; 3],
+            colours: &[],
+        };
+        let claw = Coloured { material: "claw", uvs: &[], tangents: &[], ..part };
+        let mut png = Vec::new();
+        crate::export::png::rgb8(&mut png, [1, 1], None, &[9, 8, 7]).unwrap();
+        let skin = Skin {
+            material: "fur",
+            base_colour: SkinPicture::Inside(&png),
+            normal: SkinPicture::Inside(&png),
+            orm: SkinPicture::Inside(&png),
+            transparent: true,
+        };
+        let mut bytes = Vec::new();
+        textured_glb(&mut bytes, &[part, claw], &skin).unwrap();
+        let (document, buffers, images) = ::gltf::import_slice(&bytes).unwrap();
+        assert_eq!(images.len(), 3);
+        assert!(images.iter().all(|image| image.pixels == [9, 8, 7]));
+        let material = document.materials().next().unwrap();
+        assert_eq!(material.alpha_mode(), ::gltf::material::AlphaMode::Blend);
+        assert_eq!(material.normal_texture().map(|found| found.texture().source().index()), Some(1));
+        let others = document.materials().nth(1).unwrap();
+        assert!(others.pbr_metallic_roughness().base_color_texture().is_none());
+        let primitive = document.meshes().next().unwrap().primitives().next().unwrap();
+        let read = primitive.reader(|buffer| Some(&buffers[buffer.index()]));
+        assert_eq!(read.read_tangents().unwrap().next(), Some([1.0, 0.0, 0.0, -1.0]));
+        let beside = SkinPicture::Beside("a.png");
+        let skin = Skin { base_colour: beside, normal: beside, orm: beside, ..skin };
+        let [text, bytes] = gltf(&[part], &skin, "a.bin");
+        let document = ::gltf::Gltf::from_slice(&text).unwrap();
+        assert_eq!(document.buffers().next().map(|buffer| buffer.length()), Some(bytes.len()));
+        let source = document.images().next().unwrap().source();
+        assert!(matches!(source, ::gltf::image::Source::Uri { uri: "a.png", .. }));
+    }
+
+    #[test]
     fn a_file_without_parts_and_one_without_numbers_can_be_read() {
         assert_eq!(::gltf::import_slice(written(&[])).unwrap().0.meshes().len(), 0);
         let mesh = Mesh { positions: vec![[f64::NAN, f64::INFINITY, 1e300]; 3], faces: vec![[0, 1, 2]] };
@@ -225,6 +358,7 @@ mod tests {
             mesh: &mesh,
             normals: &normals,
             uvs: &[],
+            tangents: &[],
             colours: &[[f32::NAN; 3]; 3],
         };
         assert_eq!(::gltf::import_slice(written(&[part])).unwrap().0.meshes().len(), 1);

@@ -1,5 +1,7 @@
 //! The input of drawing and writing: triangles with colours.
 
+use super::blurred::Blurred;
+use super::mips::Mips;
 use super::vector::Vector;
 use crate::surface::Mesh;
 
@@ -29,6 +31,15 @@ pub enum Paint<'a> {
         /// The colour for one value of each field.
         colour: &'a (dyn Fn(&[f32]) -> [f32; 3] + Sync),
     },
+    /// Colours by vertex, blurred as much as a px needs: of a model that is far away.
+    Blurred(&'a Blurred),
+    /// A picture on texture coordinates.
+    Texture {
+        /// By vertex, from the lower left corner.
+        uvs: &'a [[f64; 2]],
+        /// The picture at all sizes.
+        mips: &'a Mips,
+    },
 }
 
 impl std::fmt::Debug for Paint<'_> {
@@ -36,6 +47,8 @@ impl std::fmt::Debug for Paint<'_> {
         match self {
             Self::Plain(colour) => f.debug_tuple("Plain").field(colour).finish(),
             Self::Colours(colours) => f.debug_tuple("Colours").field(&colours.len()).finish(),
+            Self::Blurred(_) => f.debug_tuple("Blurred").finish_non_exhaustive(),
+            Self::Texture { mips, .. } => f.debug_struct("Texture").field("size", &mips.size()).finish(),
             Self::Pattern { fields, .. } => {
                 f.debug_struct("Pattern").field("fields", &fields.len()).finish_non_exhaustive()
             }
@@ -56,6 +69,8 @@ pub struct Coloured<'a> {
     pub normals: &'a [Vector],
     /// Texture coordinates by vertex, from the lower left corner; none are written if empty.
     pub uvs: &'a [[f64; 2]],
+    /// Tangents by vertex, along u of the texture coordinates, with the sign of the bitangent; none are written if empty.
+    pub tangents: &'a [[f32; 4]],
     /// Colours by vertex, linear light, 0..1; none are written if empty.
     pub colours: &'a [[f32; 3]],
 }

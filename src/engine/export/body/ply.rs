@@ -78,8 +78,15 @@ mod tests {
         };
         let normals = [[0.0, 0.0, 3.0]; 3];
         let colours = [[1.0, 0.0, 0.5], [0.0; 3], [0.0; 3]];
-        let first =
-            Coloured { name: "a", material: "", mesh: &mesh, normals: &[], uvs: &[], colours: &colours };
+        let first = Coloured {
+            name: "a",
+            material: "",
+            mesh: &mesh,
+            normals: &[],
+            uvs: &[],
+            tangents: &[],
+            colours: &colours,
+        };
         let second = Coloured { normals: &normals, colours: &[], ..first };
         let mut bytes = Vec::new();
         ply(&mut bytes, &[first, second]).unwrap();

@@ -4,6 +4,7 @@
 
 use rayon::prelude::*;
 
+use super::blurred::OF_A_PX;
 use super::camera::{Camera, View};
 use super::curved::{Cubic, slopes};
 use super::floor::Floor;
@@ -19,6 +20,8 @@ pub const SAMPLES: usize = 4;
 const SHARP: f64 = 0.8;
 /// The most px of a triangle on which the light is interpolated between its corners.
 const SMALL: f64 = 400.0;
+/// The least cosine between a normal and the way to the viewer with which a blur is reckoned: what is seen more aslant is a rim.
+const SLANTING: f64 = 0.2;
 /// The largest number of fields of a pattern; further ones are not read.
 const MOST_FIELDS: usize = 8;
 
@@ -97,7 +100,7 @@ impl<'a> Scene<'a> {
         let seen = places.iter().map(seen).collect();
         let slopes = parts.par_iter().map(|part| match part.paint {
             Paint::Pattern { fields, .. } => fields.iter().map(|values| slopes(part.mesh, values)).collect(),
-            Paint::Plain(_) | Paint::Colours(_) => Vec::new(),
+            Paint::Plain(_) | Paint::Colours(_) | Paint::Blurred(_) | Paint::Texture { .. } => Vec::new(),
         });
         let slopes = slopes.collect();
         Self { parts, view, camera, lights, starts, places, triangles, normals, seen, slopes, light, floor }
@@ -122,6 +125,16 @@ impl<'a> Scene<'a> {
                     (0..3).map(|at| shares[at] * f64::from(colours[vertices[at]][channel])).sum::<f64>()
                 };
                 [0, 1, 2].map(|channel| count * mean(channel))
+            }
+            Paint::Blurred(blurred) => {
+                let deviation = OF_A_PX * self.footprint(triangle, shares);
+                blurred.at(vertices, shares, deviation).map(|light| count * f64::from(light))
+            }
+            Paint::Texture { uvs, mips } => {
+                let corners = vertices.map(|vertex| uvs[vertex]);
+                let uv = [0, 1].map(|axis| (0..3).map(|at| shares[at] * corners[at][axis]).sum::<f64>());
+                let texels = self.texels(triangle, corners, mips.size());
+                mips.at(uv, texels).map(|light| count * f64::from(light))
             }
             Paint::Pattern { fields, colour } => {
                 let cubics = self.cubics(part, vertices, fields);
@@ -176,6 +189,32 @@ impl<'a> Scene<'a> {
         let normals = [0, 1, 2].map(|at| if is_sharp[at] { flat } else { self.normals[vertices[at]] });
         let normal = unit((0..3).fold([0.0; 3], |sum, at| plus(sum, shares[at], normals[at])));
         self.lights.on(place, if is_back { normal.map(|value| -value) } else { normal })
+    }
+
+    /// The longer side of what a px shows of a place of a triangle.
+    fn footprint(&self, triangle: usize, shares: [f64; 3]) -> f64 {
+        let vertices = self.triangles[triangle];
+        let near: f64 = (0..3).map(|at| shares[at] / self.seen[vertices[at]][2]).sum();
+        let [a, b, c] = vertices.map(|vertex| self.places[vertex]);
+        let (flat, to_eye) = (unit(cross(minus(b, a), minus(c, a))), unit(minus(self.camera.eye, a)));
+        self.camera.px(1.0 / near) / dot(flat, to_eye).abs().max(SLANTING)
+    }
+
+    /// The longer side of what a px shows of a triangle, texels of a picture of this `size`.
+    fn texels(&self, triangle: usize, uvs: [[f64; 2]; 3], size: [usize; 2]) -> f64 {
+        let [a, b, c] = self.corners(triangle);
+        let [u, v] = [[b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]];
+        let texels = |corner: usize| [0, 1].map(|i| (uvs[corner][i] - uvs[0][i]) * size[i] as f64);
+        let (s, t) = (texels(1), texels(2));
+        let area = u[0] * v[1] - u[1] * v[0];
+        // Columns of the derivative of texels by samples.
+        let x = [0, 1].map(|i| (s[i] * v[1] - t[i] * u[1]) / area);
+        let y = [0, 1].map(|i| (t[i] * u[0] - s[i] * v[0]) / area);
+        // Its larger singular value.
+        let (squares, product) =
+            (x[0] * x[0] + x[1] * x[1] + y[0] * y[0] + y[1] * y[1], x[0] * y[1] - x[1] * y[0]);
+        let larger = 0.5 * (squares + (squares * squares - 4.0 * product * product).max(0.0).sqrt());
+        if larger.is_finite() { SAMPLES as f64 * larger.sqrt() } else { 1.0 }
     }
 
     fn is_small(&self, triangle: usize) -> bool {

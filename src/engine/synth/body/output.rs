@@ -4,7 +4,7 @@ use std::io::Write;
 
 use crate::document::Axis;
 use crate::export::Stopped;
-use crate::export::body::{Coloured, Fine, Paint, Painted, Picture, View, draw, glb, normals, ply};
+use crate::export::body::{Coloured, Fine, glb, normals, ply};
 use crate::surface::Mesh;
 use crate::synth::body::beneath::carried;
 use crate::synth::body::coat::Coat;
@@ -12,7 +12,7 @@ use crate::synth::body::grown::GrownBody;
 use crate::synth::body::layer::BodyLayer;
 
 /// The light of parts that nothing grows on.
-const BARE: [f32; 3] = [0.55; 3];
+pub const BARE: [f32; 3] = [0.55; 3];
 /// Most triangles of a file: a finer mesh than about a million would be slow to load.
 const MOST: usize = 250_000;
 
@@ -30,43 +30,20 @@ pub fn upright(up: Axis, [x, y, z]: [f64; 3]) -> [f64; 3] {
 }
 
 /// A part that nothing grows on.
-struct Bare {
-    name: String,
-    material: String,
-    mesh: Mesh,
-    normals: Vec<[f64; 3]>,
-    uvs: Vec<[f64; 2]>,
+pub struct Bare {
+    /// Its name.
+    pub name: String,
+    /// The name of its material.
+    pub material: String,
+    /// Its triangles.
+    pub mesh: Mesh,
+    /// Normals by vertex.
+    pub normals: Vec<[f64; 3]>,
+    /// Texture coordinates by vertex; empty if it has none.
+    pub uvs: Vec<[f64; 2]>,
 }
 
 impl GrownBody {
-    /// A picture of the model, seen from `view`.
-    #[must_use]
-    pub fn picture(&self, view: &View) -> Picture {
-        let up = self.up();
-        let turned = |mesh: &Mesh| Mesh {
-            positions: mesh.positions.iter().map(|at| upright(up, *at)).collect(),
-            faces: mesh.faces.clone(),
-        };
-        let (mesh, bare) = (
-            turned(&self.finest().plan.surface().mesh),
-            self.bare(&|at| upright(up, self.placed.scale.to_px(at))),
-        );
-        let shown = normals(&mesh);
-        let coat = Coat::new(&self.document);
-        let light = |values: &[f32]| coat.light(values);
-        let patterns = self.patterns();
-        let fields: Vec<&[f32]> = patterns.iter().map(Vec::as_slice).collect();
-        let pattern = Paint::Pattern { fields: &fields, colour: &light };
-        let grown = Painted { mesh: &mesh, normals: &shown, paint: pattern };
-        let others = bare.iter().map(|bare| Painted {
-            mesh: &bare.mesh,
-            normals: &bare.normals,
-            paint: Paint::Plain(BARE),
-        });
-        let parts: Vec<Painted> = [grown].into_iter().chain(others).collect();
-        draw(&parts, view)
-    }
-
     /// Writes a `.glb`, y up, in the units of the model's file.
     ///
     /// # Errors
@@ -104,6 +81,7 @@ impl GrownBody {
             mesh: &mesh,
             normals: &shown,
             uvs: &[],
+            tangents: &[],
             colours: &colours,
         };
         let plain: Vec<Vec<[f32; 3]>> =
@@ -114,6 +92,7 @@ impl GrownBody {
             mesh: &bare.mesh,
             normals: &bare.normals,
             uvs: &bare.uvs,
+            tangents: &[],
             colours,
         });
         let parts: Vec<Coloured> = [grown].into_iter().chain(others).collect();
@@ -140,7 +119,7 @@ impl GrownBody {
     }
 
     /// The parts of the model that nothing grows on, in coordinates that `turned` makes of those of the file.
-    fn bare(&self, turned: &dyn Fn([f64; 3]) -> [f64; 3]) -> Vec<Bare> {
+    pub(super) fn bare(&self, turned: &dyn Fn([f64; 3]) -> [f64; 3]) -> Vec<Bare> {
         let only = self.document.model.as_ref().map_or(&[][..], |body| &body.only);
         let part = |index: usize| {
             let split = self.placed.model.split(index);
@@ -154,7 +133,8 @@ impl GrownBody {
         self.placed.model.others(only).into_iter().map(part).collect()
     }
 
-    fn up(&self) -> Axis {
+    /// The axis of the file that points upwards.
+    pub(super) fn up(&self) -> Axis {
         self.document.model.as_ref().map_or(Axis::Y, |body| body.up)
     }
 }
