@@ -6,7 +6,7 @@ use super::drawn_spacing::drawn_spacing;
 use super::placed::Placed;
 use super::plan::{self, BodyPlan};
 use super::remeshed::Remeshed;
-use super::{BodyGrowth, BodyLayer, BodyProgress, GrownBody};
+use super::{BodyGrowth, BodyProgress, GrownBody};
 use crate::document::{Body, BodyEllipse, BodyMark, BodySource, Document, Layer, Stroke};
 use crate::surface::Surface;
 use crate::synth::Options;
