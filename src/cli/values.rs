@@ -353,11 +353,12 @@ mod tests {
     use crate::rd::System;
 
     #[test]
-    fn a_size_is_two_sides() {
+    fn a_size_is_two_sides_or_one_for_both() {
         assert_eq!(size("4096x2048"), Ok([4096, 2048]));
         assert_eq!(size("1×65536"), Ok([1, 65536]));
+        assert_eq!(size("512"), Ok([512, 512]));
         for wrong in
-            ["", "x", "512", "0x10", "10x0", "-5x5", "+5x5", "5x5x5", "1e3x5", "65537x1", "5 x5", "nanx1"]
+            ["", "x", "0", "0x10", "10x0", "-5x5", "+5x5", "5x5x5", "1e3x5", "65537x1", "5 x5", "nanx1"]
         {
             assert!(size(wrong).is_err(), "{wrong}");
         }

@@ -75,7 +75,7 @@ fn options_that_write_one_file_are_refused_for_several_documents() {
     refused(&["-o", there.to_str().unwrap()], "a folder");
     refused(&["-o", "out", "--pattern", "p.png"], "--pattern");
     refused(&["-o", "out", "--variations", "2"], "--variations");
-    refused(&["-o", "out", a.to_str().unwrap()], "one file twice");
+    refused(&["-o", "out", a.to_str().unwrap()], "the same file");
     assert_eq!(names(folder.path()), ["a.dapple", "b.dapple"]);
 }
 

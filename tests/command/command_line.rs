@@ -88,7 +88,7 @@ fn values_out_of_range_are_usage_errors() {
         used_wrongly(&[&["grow", "a.dapple", "-o", "a.png"], rest].concat(), words);
     };
     grow(&["--size", "0x10"], &["--size", "0x10", "1 to 65536"]);
-    grow(&["--size", "4096"], &["--size", "4096x4096"]);
+    grow(&["--size", "4096x"], &["--size", "4096x"]);
     grow(&["--scale", "0"], &["--scale", "1 to 64"]);
     grow(&["--threads", "0"], &["--threads", "1 to 1024"]);
     grow(&["--seed", "-1"], &["-1"]);

@@ -78,7 +78,7 @@ impl Octave {
         let at: [f64; 3] = std::array::from_fn(|axis| {
             (0..3).map(|i| self.axes[axis][i] * point[i]).sum::<f64>() / self.side + self.shift[axis]
         });
-        let corner = at.map(|value| value.floor());
+        let corner = at.map(f64::floor);
         let within: [f64; 3] = std::array::from_fn(|axis| at[axis] - corner[axis]);
         let fade = within.map(|t| t * t * t * (t * (6.0 * t - 15.0) + 10.0));
         let corner = corner.map(|value| value as i64);

@@ -64,7 +64,7 @@ pub fn wave_values<D: Domain>(
     rng: &mut impl Rng,
 ) -> Vec<f32> {
     let waves = random_waves(maps, wavelength, start.kernels, rng);
-    let noise = summed(maps, &waves, |wave, displacement| wave.at(displacement));
+    let noise = summed(maps, &waves, Wave::at);
     let led = Led::new(maps, wavelength, guides, start.lead);
     // ∫ window² cos² = ½ (π/5) A·B, times density/λ².
     let Kernels { reach: [a, b], density } = start.kernels;
@@ -215,7 +215,7 @@ impl Led {
             wave(guide.middle, cell, guide.degrees, length, far, profile)
         };
         let waves: Vec<Wave<D::Place>> = guides.iter().map(of_guide).collect();
-        Self(summed(maps, &waves, |wave, displacement| wave.at(displacement)))
+        Self(summed(maps, &waves, Wave::at))
     }
 
     /// The share of the noise that is replaced at a cell, and the cosine and sine that replace it.

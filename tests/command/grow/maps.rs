@@ -260,9 +260,5 @@ fn rings_only_take_maps_of_colours() {
     let rings = json!({"strokes": [line], "after": "around", "maps": {"spacing": noise}});
     document["layers"].as_array_mut().unwrap().push(rings);
     let folder = Folder::with(&document);
-    folder.refuses(
-        "grow a.dapple -o a.png",
-        1,
-        &["layers[1].maps.spacing", "The marks of the layer beneath determine the places of these marks"],
-    );
+    folder.refuses("grow a.dapple -o a.png", 1, &["layers[1].maps.spacing", "allowed: no map"]);
 }

@@ -253,7 +253,7 @@ fn impossible_patches_are_refused_with_the_reason() {
     Folder::with(&above).refuses(
         "grow a.dapple -o a.png",
         1,
-        &["layers[1].after", "scattered points make the layer beneath"],
+        &["layers[1].after", "allowed: between", "scattered points"],
     );
     let mut lines = small();
     lines["layers"][0] =

@@ -91,7 +91,7 @@ impl Asked {
         })
     }
 
-    /// The same marks as far apart as those of the layer beneath, inside which they stand.
+    /// These marks, as far apart as those of the layer beneath, inside which they stand.
     #[must_use]
     pub fn spaced_as(mut self, outer: &Self) -> Self {
         let spacing = outer.all().find_map(Attributes::distance);

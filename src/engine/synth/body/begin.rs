@@ -33,7 +33,7 @@ pub fn begin(
     document: &Document,
     placed: &Placed,
     plan: &mut BodyPlan,
-    coarse: Surface,
+    coarse: &Surface,
     beneath: &[BodyLayer],
 ) -> Result<Initial, LayerError> {
     if plan.choice.system.is_striped() {

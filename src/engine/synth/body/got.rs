@@ -8,8 +8,8 @@ use crate::marks::{axial, turn};
 use crate::measure::{SurfaceStripes, surface_directions, surface_edges};
 use crate::surface::SurfacePoint;
 use crate::synth::body::anchors::Anchor;
+use crate::synth::body::direction_report::DirectionReport;
 use crate::synth::body::layer::BodyLayer;
-use crate::synth::body::report::DirectionReport;
 use crate::synth::body::threshold::Sums;
 
 /// Below this aspect spots have a direction that is measured.

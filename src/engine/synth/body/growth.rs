@@ -174,7 +174,7 @@ impl<'a> BodyGrowth<'a> {
     /// Begins to grow a planned layer.
     fn begin_layer(&self, model: &Model, mut plan: BodyPlan, coarse: Surface) -> Result<Growing, LayerError> {
         let Initial { concentrations, laid } =
-            begin(self.document, &model.placed, &mut plan, coarse, &model.layers)?;
+            begin(self.document, &model.placed, &mut plan, &coarse, &model.layers)?;
         let (system, surface) = (plan.choice.system, plan.surface());
         let operators = Operators::new(system, &surface.mesh, surface.frames(), &plan.maps.parameters);
         let growth = SurfaceGrowth::new(system, &plan.maps, Arc::new(operators), &concentrations);
@@ -198,7 +198,8 @@ impl<'a> BodyGrowth<'a> {
         }
         let corrects = self.options.refine.unwrap_or(self.document.growth.refine);
         let levelled = Levelled::new(&plan, &marks, corrects);
-        if levelled.measured.sums.iter().all(|sums| sums.count == 0) {
+        let measured = &levelled.measured;
+        if measured.spots.is_empty() && measured.stripes.iter().all(|stripes| stripes.contour == 0.0) {
             return Err(LayerError::Blank { what: "nothing", advice: LayerError::MARKS });
         }
         Ok(BodyLayer { plan, levelled, laid, steps: growth.steps(), settled })

@@ -52,7 +52,7 @@ fn stripe_errors(grown: &GrownBody) -> [f64; 3] {
 
 #[test]
 fn stripes_on_a_torus_have_the_width_the_wavelength_and_the_direction_that_are_asked() {
-    let [width, wavelength, direction] = stripe_errors(&grown(&on("torus", 300.0, vec![stripes(9.0)])));
+    let [width, wavelength, direction] = stripe_errors(&grown(&on("torus", 220.0, vec![stripes(9.0)])));
     assert!(width.abs() < 0.01 && wavelength.abs() < 0.02, "{width} {wavelength}");
     assert!(direction < 9.0, "{direction}");
 }
@@ -62,7 +62,7 @@ fn lines_and_gaps_on_a_torus_have_the_period_that_is_asked() {
     for duty in [0.3, 0.7] {
         let mut layer = stripes(18.0 * duty);
         layer.options.duty = DutyChoice::Given(duty);
-        let [width, wavelength, direction] = stripe_errors(&grown(&on("torus", 300.0, vec![layer])));
+        let [width, wavelength, direction] = stripe_errors(&grown(&on("torus", 180.0, vec![layer])));
         assert!(width.abs() < 0.01 && wavelength.abs() < 0.02, "{duty}: {width} {wavelength}");
         assert!(direction < 9.0, "{duty}: {direction}");
     }
@@ -86,7 +86,8 @@ fn spots_of_a_second_layer_keep_away_from_those_of_the_first() {
         small.levelled.measured.spots.iter().map(|spot| away[vertex(spot)]).fold(f64::INFINITY, f64::min);
     assert!(large.spots() > 20 && small.spots() > 60, "{} {}", large.spots(), small.spots());
     assert_eq!([large.laid, small.laid], [large.spots(), small.spots()]);
-    assert!(nearest >= 0.6 * 21.0 - small.plan.surface().unit(), "{nearest}");
+    // From vertex to vertex. Spots begin at this share of their spacing from the marks beneath.
+    assert!(nearest >= 0.45 * 21.0, "{nearest}");
 }
 
 #[test]

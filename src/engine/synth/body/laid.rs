@@ -18,7 +18,7 @@ const BESIDE: f64 = 0.15;
 pub fn lay(
     maps: &ParameterField<Surface>,
     system: System,
-    coarse: Surface,
+    coarse: &Surface,
     seed: u64,
     pinned: &[PinnedSpot<SurfacePoint>],
 ) -> Places<SurfacePoint> {
@@ -31,7 +31,7 @@ pub fn lay(
         let [x, y] = fine.frame(own);
         let (sin, cos) = libm::sincos(f64::from(p.direction).to_radians());
         let long_axis = std::array::from_fn(|i| cos * x[i] + sin * y[i]);
-        let direction = degrees(&coarse, place, long_axis).unwrap_or_default() as f32;
+        let direction = degrees(coarse, place, long_axis).unwrap_or_default() as f32;
         Parameters { rate: p.rate * (longer * longer) as f32, direction, ..p }
     };
     let nearest = |vertex: usize| {

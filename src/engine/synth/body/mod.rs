@@ -16,6 +16,7 @@ mod choice;
 mod coat;
 mod curves;
 mod describe;
+mod direction_report;
 mod displaced;
 mod drawn_spacing;
 mod given_directions;
@@ -40,6 +41,7 @@ mod varied;
 mod wanted;
 
 pub use describe::{DescribedBody, describe};
+pub use direction_report::DirectionReport;
 pub use displaced::Displaced;
 pub use grown::GrownBody;
 pub use growth::{BodyGrowth, BodyProgress};
@@ -47,7 +49,7 @@ pub use layer::BodyLayer;
 pub use models::MATERIAL;
 pub use placed::Placed;
 pub use plan::BodyPlan;
-pub use report::{AnchorReport, BodyLayerReport, BodyReport, DirectionReport, ModelReport};
+pub use report::{AnchorReport, BodyLayerReport, BodyReport, ModelReport};
 pub use shown::Shown;
 pub use texture::{LaidOut, NoTexture, Texture};
 
