@@ -109,6 +109,15 @@ impl Args {
     }
 }
 
+/// Films a model that turns.
+fn film_turn(args: &Args, document: &Document, kind: Kind) -> Result<(), Error> {
+    turn::model(args, document)?;
+    args.threads.into_iter().for_each(threads::set_shared);
+    turn::run(args, document, kind)?;
+    args.say_idle(kind);
+    Ok(())
+}
+
 /// Films a growth, or the change from one document to another.
 ///
 /// # Errors
@@ -118,11 +127,7 @@ pub fn run(args: &Args) -> Result<(), Error> {
     let document = args.settings.read(&args.file)?;
     let document = Document { seed: args.seed.unwrap_or(document.seed), ..document };
     if args.turn {
-        turn::model(args, &document)?;
-        args.threads.into_iter().for_each(threads::set_shared);
-        turn::run(args, &document, kind)?;
-        args.say_idle(kind);
-        return Ok(());
+        return film_turn(args, &document, kind);
     }
     check_flat(&document, &args.file, "a film without --turn")?;
     let other = args.to.as_deref().map(Document::read).transpose()?;

@@ -135,7 +135,7 @@ impl<'a> BodyGrowth<'a> {
                 State::Begin(model, Box::new(plan), Box::new(coarse))
             }
             State::Begin(model, plan, coarse) => {
-                let growing = self.begin_layer(&model, *plan, *coarse)?;
+                let growing = self.begin_layer(&model, *plan, &coarse)?;
                 State::Grow(model, Box::new(growing))
             }
             State::Grow(model, growing) => grow(model, growing, budget),
@@ -172,9 +172,14 @@ impl<'a> BodyGrowth<'a> {
     }
 
     /// Begins to grow a planned layer.
-    fn begin_layer(&self, model: &Model, mut plan: BodyPlan, coarse: Surface) -> Result<Growing, LayerError> {
+    fn begin_layer(
+        &self,
+        model: &Model,
+        mut plan: BodyPlan,
+        coarse: &Surface,
+    ) -> Result<Growing, LayerError> {
         let Initial { concentrations, laid } =
-            begin(self.document, &model.placed, &mut plan, &coarse, &model.layers)?;
+            begin(self.document, &model.placed, &mut plan, coarse, &model.layers)?;
         let (system, surface) = (plan.choice.system, plan.surface());
         let operators = Operators::new(system, &surface.mesh, surface.frames(), &plan.maps.parameters);
         let growth = SurfaceGrowth::new(system, &plan.maps, Arc::new(operators), &concentrations);
