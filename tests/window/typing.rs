@@ -176,6 +176,7 @@ fn crossing_lines_are_moved_to_a_new_layer() {
     hand.drag(&[[200.0, 100.0], [200.0, 200.0], [200.0, 300.0]]);
     hand.press("Grow stripes instead");
     hand.press("Move crossing lines to a new layer");
+    hand.until("the lines are moved", |window| window.document().layers.len() == 2);
     let layers = hand.document().layers;
     assert_eq!(layers.iter().map(|layer| layer.strokes.len()).collect::<Vec<_>>(), [1, 1]);
     assert!(matches!(layers[1].strokes[0], Stroke::Line(line) if line.from[0] == line.to[0]));
