@@ -26,7 +26,8 @@ pub fn vary(
     pinned: &[Parameters],
     seed: u64,
 ) -> Vec<SurfacePoint> {
-    let has_spread = plan.anchors.iter().any(|anchor| anchor.spread != Spread::ZERO);
+    let varies = |Spread { area, aspect, angle, .. }: Spread| area > 0.0 || aspect > 0.0 || angle > 0.0;
+    let has_spread = plan.anchors.iter().any(|anchor| varies(anchor.spread));
     if laid.inside.is_empty() || !has_spread && pinned.is_empty() {
         return laid.inside;
     }
