@@ -14,6 +14,8 @@ use crate::synth::marks::plan::spread::deviations::{areas, aspects, stratified, 
 const OWN_SHAPE: f64 = 0.6;
 /// Spots nearer than this are pushed apart, in pitches: the first ring of neighbours.
 const ROOM_REACH: f64 = 1.25;
+/// Spots whose area, aspect and angle vary by less than this are equal.
+const LEAST: f64 = 1e-3;
 /// Rounds of repulsion until spots have the room that each needs.
 const ROUNDS: usize = 30;
 
@@ -26,7 +28,7 @@ pub fn vary(
     pinned: &[Parameters],
     seed: u64,
 ) -> Vec<SurfacePoint> {
-    let varies = |Spread { area, aspect, angle, .. }: Spread| area > 0.0 || aspect > 0.0 || angle > 0.0;
+    let varies = |Spread { area, aspect, angle, .. }: Spread| area.max(aspect).max(angle) > LEAST;
     let has_spread = plan.anchors.iter().any(|anchor| varies(anchor.spread));
     if laid.inside.is_empty() || !has_spread && pinned.is_empty() {
         return laid.inside;
