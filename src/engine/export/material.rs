@@ -177,7 +177,7 @@ pub fn write(
     write_some(outputs, set, &set.maps(), rows_a_band, fill)
 }
 
-/// Writes only some of the `maps` of `set`, as [`write`] does.
+/// Writes only some of the `maps` of `set`, as [`write()`] does.
 ///
 /// # Errors
 /// The error of `fill` or of an output; [`Failed::at`] is the place in `maps`.

@@ -1,5 +1,5 @@
 //! Stripes on a triangle surface: width and wavelength from areas and contour lengths, directions from the structure tensor, as
-//! [`crate::measure::stripes`] has them on a canvas.
+//! [`crate::measure::stripes()`] has them on a canvas.
 
 use rayon::prelude::*;
 
