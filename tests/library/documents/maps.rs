@@ -129,7 +129,7 @@ fn maps_that_the_layer_cannot_follow_are_refused_with_the_reason() {
     refuses(&points, "layers[0].maps.area", "Only labels that are random or by a picture have a probability");
     let mut turing = varied(&json!({"spacing": noise(40, [0.5, 1.0])}));
     turing["layers"][0]["system"] = json!("turing-spots");
-    refuses(&turing, "layers[0].maps.spacing", "goes with their area, which can have a map");
+    refuses(&turing, "layers[0].maps.spacing", "follows from their area, which can have a map");
     let mut painted = varied(&json!({"colour": noise(40, [-0.5, 0.5])}));
     painted["layers"][0]["system"] = json!("cells");
     accepted(&painted);
