@@ -143,5 +143,9 @@ fn spots_grow_between_the_threads_of_a_weave_beneath_but_not_round_them() {
     assert!(share(1) > 0.15 && share(2) > 0.015, "{} {}", share(1), share(2));
     document["layers"][1]["after"] = json!("inside");
     let folder = Folder::with(&document);
-    folder.refuses("grow a.dapple -o a.png", 1, &["layers[1].after", "allowed: between", "pairs of morphogens"]);
+    folder.refuses(
+        "grow a.dapple -o a.png",
+        1,
+        &["layers[1].after", "allowed: between", "pairs of morphogens"],
+    );
 }
