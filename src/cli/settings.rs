@@ -32,7 +32,7 @@ impl Settings {
     /// Reads a document, or a PNG that holds one.
     ///
     /// # Errors
-    /// As [`Self::read`].
+    /// Those of [`Self::read`].
     pub fn open(&self, path: &Path) -> Result<(Document, Extent), Error> {
         let (document, extent) = files::open(path)?;
         Ok((self.applied(document, path)?, extent))

@@ -24,7 +24,7 @@ fn an_option_without_effect_on_a_format_is_reported() {
     ] {
         let said = folder.dapple(line).assert().success().get_output().stderr.clone();
         let said = String::from_utf8(said).unwrap();
-        let notes = said.lines().filter(|line| line.contains("does nothing"));
+        let notes = said.lines().filter(|line| line.contains("has no effect"));
         let notes: Vec<&str> = notes.collect();
         assert!(notes.len() == 1 && notes[0].starts_with(&format!("note: {option} ")), "{line}: {said}");
         std::fs::remove_dir_all(folder.path("frames")).unwrap_or_default();
@@ -44,6 +44,6 @@ fn an_option_with_an_effect_is_not_reported() {
         "film a.dapple -o f.png --seconds 0.2 --fps 10 --once",
     ] {
         let said = folder.dapple(line).assert().success().get_output().stderr.clone();
-        assert!(!String::from_utf8_lossy(&said).contains("does nothing"), "{line}");
+        assert!(!String::from_utf8_lossy(&said).contains("has no effect"), "{line}");
     }
 }

@@ -98,7 +98,7 @@ fn first_steps(choice: SystemChoice, edges: Edges) -> Option<Vec<Vec<f32>>> {
         Family::Growth => {
             let system = System::with_growth();
             let growth = by_cell(|[x, _]| 18.0 + 9.0 * x);
-            Some(after_steps(system, &ParameterField { growth, ..varying(system, edges) }))
+            Some(after_steps(system, &ParameterField { g: growth, ..varying(system, edges) }))
         }
         Family::Pairs => {
             let kind = choice.pairs()?;

@@ -125,7 +125,7 @@ impl Domain for Lattice {
         [0, 1].map(|axis| (from[axis] + displacement[axis]).rem_euclid(self.side))
     }
 
-    fn turn(&self, _: usize, _: usize) -> f64 {
+    fn transport_angle(&self, _: usize, _: usize) -> f64 {
         0.0
     }
 

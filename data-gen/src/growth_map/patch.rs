@@ -75,7 +75,7 @@ impl Patch {
         let rate = (root * root) as f32;
         let parameters = Parameters { rate, ratio: 1.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
         let maps = ParameterField::uniform([CELLS; 2], Edges::Wrap, parameters);
-        let maps = ParameterField { growth: vec![growth; CELLS * CELLS], decay: Some(decay), ..maps };
+        let maps = ParameterField { g: vec![growth; CELLS * CELLS], decay: Some(decay), ..maps };
         let mut growth = Growth::new(system, &maps, SEED);
         let steps = growth.steps_in(TIME);
         growth.advance(steps);

@@ -1,5 +1,7 @@
 //! `dapple film --turn`: a model that turns about its upward axis.
 
+use std::sync::atomic::Ordering;
+
 use super::Args;
 use crate::cli::estimate::Estimate;
 use crate::cli::progress::Bar;
@@ -13,7 +15,6 @@ use crate::machine::free_memory;
 use crate::synth::body::{BodyGrowth, Shown};
 use crate::synth::render::clip::SIDE;
 use crate::synth::{Options, Stage, Watch};
-use std::sync::atomic::Ordering;
 
 /// From where the first frame shows it: azimuth and elevation, degrees.
 const VIEW: [f64; 2] = [-30.0, 18.0];

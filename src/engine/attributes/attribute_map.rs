@@ -75,7 +75,7 @@ impl AttributeMap {
     /// before the change.
     ///
     /// # Errors
-    /// As [`Self::from_marks`].
+    /// Those of [`Self::from_marks`].
     pub fn after_change(
         marks: &[Mark],
         size: [f64; 2],
@@ -107,7 +107,7 @@ impl AttributeMap {
     /// The map of the threads of one direction, which want the periods that these `rules` allow.
     ///
     /// # Errors
-    /// As [`Self::from_marks`].
+    /// Those of [`Self::from_marks`].
     pub fn of_threads(
         marks: &[Mark],
         size: [f64; 2],

@@ -96,7 +96,7 @@ const CHUNK: usize = 256 << 10;
 /// Writes a picture of any height without holding it in memory: `fill` is called for band after band, from the top, and writes the
 /// bytes of the given rows into the slice, `size[0] * samples.bytes()` a row.
 ///
-/// The same rows give the same file.
+/// Equal rows give equal files.
 ///
 /// # Errors
 /// The errors of `out` and `fill`; a size that PNG cannot hold.

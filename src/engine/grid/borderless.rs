@@ -159,7 +159,7 @@ impl<D: Domain + ?Sized> Buckets for CellBuckets<'_, D> {
         false
     }
 
-    fn turn(&self, from: usize, to: usize) -> f64 {
-        self.domain.turn(from, to)
+    fn transport_angle(&self, from: usize, to: usize) -> f64 {
+        self.domain.transport_angle(from, to)
     }
 }

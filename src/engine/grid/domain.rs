@@ -37,7 +37,7 @@ pub trait Domain: Sync {
     fn moved(&self, from: Self::Place, displacement: [f64; 2]) -> Self::Place;
 
     /// Degrees to add to a direction in the frame of cell `from` to give the same direction in the frame of cell `to`.
-    fn turn(&self, from: usize, to: usize) -> f64;
+    fn transport_angle(&self, from: usize, to: usize) -> f64;
 
     /// Whether two cells face the same way: the cosine of the angle between their normals; 1 of a flat domain.
     fn facing(&self, _from: usize, _to: usize) -> f64 {
@@ -124,7 +124,7 @@ pub trait Domain: Sync {
     fn buckets(&self, side: f64) -> impl Buckets<Place = Self::Place>;
 }
 
-/// A displacement, or any other vector, in a frame that is turned by this: see [`Domain::turn`].
+/// A displacement, or any other vector, in a frame that is turned by this: see [`Domain::transport_angle`].
 #[must_use]
 #[inline]
 pub fn turned([x, y]: [f64; 2], degrees: f64) -> [f64; 2] {

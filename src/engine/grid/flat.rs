@@ -39,7 +39,7 @@ impl Domain for Grid {
         self.bounds().folded([from[0] + displacement[0], from[1] + displacement[1]])
     }
 
-    fn turn(&self, _: usize, _: usize) -> f64 {
+    fn transport_angle(&self, _: usize, _: usize) -> f64 {
         0.0
     }
 

@@ -239,7 +239,7 @@ impl Buckets for Rectangles {
             && (0..2).any(|axis| (to[axis] - from[axis] - displacement[axis]).abs() > 1e-6)
     }
 
-    fn turn(&self, _: usize, _: usize) -> f64 {
+    fn transport_angle(&self, _: usize, _: usize) -> f64 {
         0.0
     }
 }

@@ -78,7 +78,7 @@ impl Domain for Relabelled {
         Point(self.grid.moved(from.0, turned(displacement, self.frame(from))))
     }
 
-    fn turn(&self, from: usize, to: usize) -> f64 {
+    fn transport_angle(&self, from: usize, to: usize) -> f64 {
         self.frames[from] - self.frames[to]
     }
 
@@ -244,7 +244,7 @@ impl Buckets for Sorted<'_> {
         self.rectangles.is_to_image(from.0, to.0, turned(displacement, self.shown.frame(from)))
     }
 
-    fn turn(&self, from: usize, to: usize) -> f64 {
-        self.shown.domain.turn(from, to)
+    fn transport_angle(&self, from: usize, to: usize) -> f64 {
+        self.shown.domain.transport_angle(from, to)
     }
 }

@@ -86,6 +86,6 @@ pub trait Buckets: Clone + Sync {
     /// Whether a displacement between two places leads to the mirror image of the second, beyond a border.
     fn is_to_image(&self, from: Self::Place, to: Self::Place, displacement: [f64; 2]) -> bool;
 
-    /// Degrees by which the frame of cell `to` is rotated against that of `from`, see [`super::Domain::turn`].
-    fn turn(&self, from: usize, to: usize) -> f64;
+    /// Degrees by which the frame of cell `to` is rotated against that of `from`, see [`super::Domain::transport_angle`].
+    fn transport_angle(&self, from: usize, to: usize) -> f64;
 }

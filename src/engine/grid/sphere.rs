@@ -86,7 +86,7 @@ impl Domain for Sphere {
             .map(|i| cos * from[i] + sin * (displacement[0] * east[i] + displacement[1] * north[i]) / length)
     }
 
-    fn turn(&self, from: usize, to: usize) -> f64 {
+    fn transport_angle(&self, from: usize, to: usize) -> f64 {
         if from == to {
             return 0.0;
         }

@@ -39,7 +39,7 @@ pub use errors::{
     SpotErrors, StripeErrors, Target, is_circle_covered, spot_errors, stripe_errors, stripe_errors_of,
 };
 pub use half_grown::{FadedAxis, faded_axes, half_grown_spots};
-pub use otsu::level_between_phases;
+pub use otsu::otsu_threshold;
 pub use picture::{Picture, patches, picture, picture_of};
 pub use picture_check::{NotTexture, check_picture};
 pub use raggedness::{raggedness, spot_raggedness, spot_raggedness_at};

@@ -18,13 +18,13 @@ const STEP: f64 = 4.0;
 /// at which ω₀·ω₁·(μ₁ − μ₀)² is largest.
 ///
 /// ```
-/// use dapple_engine::measure::level_between_phases;
+/// use dapple_engine::measure::otsu_threshold;
 ///
-/// let level = level_between_phases(&[0.1, 0.12, 0.11, 0.9, 0.88]);
+/// let level = otsu_threshold(&[0.1, 0.12, 0.11, 0.9, 0.88]);
 /// assert!(0.12 < level && level < 0.88);
 /// ```
 #[must_use]
-pub fn level_between_phases(values: &[f32]) -> f32 {
+pub fn otsu_threshold(values: &[f32]) -> f32 {
     let mut counts = vec![0_u64; BINS];
     for value in values {
         counts[((value * BINS as f32) as usize).min(BINS - 1)] += 1;
@@ -104,7 +104,7 @@ mod tests {
     fn the_threshold_of_two_tones_is_half_way_whatever_their_counts() {
         for many in [1, 10, 500] {
             let values: Vec<f32> = (0..1000).map(|i| if i < many { 0.2 } else { 0.8 }).collect();
-            assert!((level_between_phases(&values) - 0.5).abs() < 1e-3, "{many}");
+            assert!((otsu_threshold(&values) - 0.5).abs() < 1e-3, "{many}");
         }
     }
 
@@ -124,20 +124,20 @@ mod tests {
             ((tone * 255.0).round() / 255.0) as f32
         };
         let values: Vec<f32> = (0..10_000).map(value).collect();
-        let level = level_between_phases(&values);
+        let level = otsu_threshold(&values);
         assert!((level - 0.5).abs() < 0.01, "{level}");
     }
 
     #[test]
     fn for_a_single_tone_it_is_that_tone() {
-        assert!((level_between_phases(&[0.3; 50]) - 0.3).abs() < 1e-3);
+        assert!((otsu_threshold(&[0.3; 50]) - 0.3).abs() < 1e-3);
     }
 
     #[test]
     fn between_three_tones_it_is_in_one_gap() {
         let tones = [(0.3, 600), (0.64, 150), (0.85, 400)];
         let values: Vec<f32> = tones.iter().flat_map(|(tone, count)| vec![*tone; *count]).collect();
-        let level = level_between_phases(&values);
+        let level = otsu_threshold(&values);
         assert!([0.3, 0.64, 0.85].iter().all(|tone| (level - tone).abs() > 0.05), "{level}");
     }
 }

@@ -81,6 +81,9 @@ pub struct SurfaceDirection {
     pub weight: f64,
 }
 
+/// Rounds of averaging at most, which reach 15 edges far. Not tuned: it limits the time for wide stripes on fine meshes.
+const MOST: usize = 400;
+
 /// Directions of the stripes of `values` at each vertex, averaged over about `radius`, in lengths of the surface.
 #[must_use]
 pub fn surface_directions(surface: &Surface, values: &[f32], radius: f64) -> Vec<SurfaceDirection> {
@@ -91,7 +94,7 @@ pub fn surface_directions(surface: &Surface, values: &[f32], radius: f64) -> Vec
         .into_par_iter()
         .map(|vertex| {
             let turned = |other: usize| {
-                let (sin, cos) = libm::sincos(2.0 * surface.turn(other, vertex).to_radians());
+                let (sin, cos) = libm::sincos(2.0 * surface.transport_angle(other, vertex).to_radians());
                 (other as u32, [cos, sin])
             };
             surface.ring(vertex).map(turned).collect()
@@ -99,7 +102,7 @@ pub fn surface_directions(surface: &Surface, values: &[f32], radius: f64) -> Vec
         .collect();
     // A round moves a value by a variance of about half a squared edge; an edge is about 1.07 units long.
     let rounds = (2.0 * (radius / surface.unit()) * (radius / surface.unit()) / 1.15).ceil() as usize;
-    for _ in 0..rounds.clamp(1, 400) {
+    for _ in 0..rounds.clamp(1, MOST) {
         let mean = |vertex: usize| {
             let [mut all, mut x, mut y] = tensors[vertex];
             let ring = &turns[vertex];

@@ -52,7 +52,7 @@ pub struct Definition {
     /// Distance to obstacle cells ÷ spacing within which the shown concentration is that of the obstacle.
     pub obstacle_rim: f64,
     /// The usual parameter G; `None` for systems without a parameter G that varies over the canvas.
-    pub growth: Option<f32>,
+    pub g: Option<f32>,
     /// The decay constant that scales normalised time (`facts.md` 0): T = decay · rate · time.
     pub decay: f32,
     /// The largest dt·s at which the reactions alone stay stable.
@@ -210,7 +210,7 @@ pub struct Scatter {
     /// Scatter of ln aspect.
     pub elongation: f64,
     /// Scatter of the direction, degrees.
-    pub turn: f64,
+    pub direction: f64,
 }
 
 /// Limits of the spots of a system.
@@ -356,8 +356,8 @@ impl System {
 
     /// The usual parameter G; `None` for systems whose G does not vary over the canvas.
     #[must_use]
-    pub const fn usual_growth(self) -> Option<f32> {
-        self.0.growth
+    pub const fn usual_g(self) -> Option<f32> {
+        self.0.g
     }
 
     /// Cells that a spot covers at half its peak, or the squared width of a stripe: how finely the grid shows it.

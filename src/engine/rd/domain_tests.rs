@@ -248,7 +248,7 @@ fn on_a_sphere_masks_grow_and_bells_fall_by_distance_across_the_pole() {
     for (other, is_set) in dilated.iter().enumerate() {
         assert_eq!(*is_set, domain.distance(domain.center(cell), domain.center(other)) <= 6.0, "{other}");
     }
-    assert!(domain.turn(cell, cell - 45).abs() > 100.0 && dilated[cell - 45]);
+    assert!(domain.transport_angle(cell, cell - 45).abs() > 100.0 && dilated[cell - 45]);
     let at = domain.center(cell);
     let free = from_places(SYSTEM, &maps, &[at], &|_| false);
     let ground = free[0].iter().copied().fold(f32::INFINITY, f32::min);

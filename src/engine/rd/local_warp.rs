@@ -204,7 +204,7 @@ fn shifts_in<D: Domain>(
             let Some(start) = there.iter().position(|reached| *reached) else { continue };
             shares.resize(there.len() - start, [0.0; 2]);
             shares_of(&spot.metric, [x + start as f64, y], &mut shares);
-            let by = turned(warp.by, domain.turn(spot.cell, run.start));
+            let by = turned(warp.by, domain.transport_angle(spot.cell, run.start));
             for ([share, moves], cell) in shares.iter().zip(run.start + start..) {
                 if reached[cell - first] && !maps.is_obstacle(cell) {
                     let [x, y, total] = &mut sums[cell - first];

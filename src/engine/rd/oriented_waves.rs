@@ -64,7 +64,7 @@ pub fn wave_values<D: Domain>(
     rng: &mut impl Rng,
 ) -> Vec<f32> {
     let waves = random_waves(maps, wavelength, start.kernels, rng);
-    let noise = summed(maps, &waves, Wave::at);
+    let noise = summed(maps, &waves);
     let led = Led::new(maps, wavelength, guides, start.lead);
     // ∫ window² cos² = ½ (π/5) A·B, times density/λ².
     let Kernels { reach: [a, b], density } = start.kernels;
@@ -124,13 +124,9 @@ impl<P: Copy> Wave<P> {
     }
 }
 
-/// By cell, the sums of what `at` gives for each wave within whose reach it lies. The sine of a wave that points to the other side of
+/// By cell, the sums of [`Wave::at`] over the waves within whose reach it lies. The sine of a wave that points to the other side of
 /// the stripes counts negative: directions across are axial.
-fn summed<D: Domain>(
-    maps: &ParameterField<D>,
-    waves: &[Wave<D::Place>],
-    at: impl Fn(&Wave<D::Place>, [f64; 2]) -> Option<[f64; 3]> + Sync,
-) -> Vec<[f64; 3]> {
+fn summed<D: Domain>(maps: &ParameterField<D>, waves: &[Wave<D::Place>]) -> Vec<[f64; 3]> {
     let domain = &maps.domain;
     let of_wave = |wave: &Wave<D::Place>| {
         let near = domain.near(wave.at, wave.far, 0..domain.cells());
@@ -140,8 +136,9 @@ fn summed<D: Domain>(
             if faces == 0.0 {
                 return None;
             }
-            let [weight, cos, sin] = at(wave, displacement)?.map(|value| faces * value);
-            let across = f64::from(maps.parameters[cell].direction) + 90.0 + domain.turn(cell, wave.cell);
+            let [weight, cos, sin] = wave.at(displacement)?.map(|value| faces * value);
+            let across =
+                f64::from(maps.parameters[cell].direction) + 90.0 + domain.transport_angle(cell, wave.cell);
             let same = libm::cos((across - wave.degrees).to_radians()) >= 0.0;
             Some((cell, [weight, cos, if same { sin } else { -sin }]))
         };
@@ -215,7 +212,7 @@ impl Led {
             wave(guide.middle, cell, guide.degrees, length, far, profile)
         };
         let waves: Vec<Wave<D::Place>> = guides.iter().map(of_guide).collect();
-        Self(summed(maps, &waves, Wave::at))
+        Self(summed(maps, &waves))
     }
 
     /// The share of the noise that is replaced at a cell, and the cosine and sine that replace it.

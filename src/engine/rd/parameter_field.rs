@@ -39,7 +39,7 @@ impl Parameters {
         f64::from((self.pitch / CORRECTED).max(1.0))
     }
 
-    /// These parameters with the direction in another frame: see [`Domain::turn`].
+    /// These parameters with the direction in another frame: see [`Domain::transport_angle`].
     #[must_use]
     pub fn turned(self, degrees: f64) -> Self {
         if degrees == 0.0 {
@@ -61,8 +61,8 @@ pub struct ParameterField<D = Grid> {
     /// Difference of the decay β of Turing's spots from its usual 12, by cell; empty = 0 everywhere.
     pub decay_noise: Vec<f32>,
     /// The parameter G of [`System::with_growth`](super::System::with_growth), 17.5–27.5, by cell; empty = the usual one.
-    pub growth: Vec<f32>,
-    /// The decay β used with `growth`; `None` = the usual one, 20. Other values are for the map of G and β.
+    pub g: Vec<f32>,
+    /// The decay β used with `g`; `None` = the usual one, 20. Other values are for the map of G and β.
     pub decay: Option<f32>,
     /// Curves along which lines begin; `None` = everywhere.
     pub curves: Option<GuideCurves>,
@@ -88,7 +88,7 @@ impl<D: Domain> ParameterField<D> {
             parameters,
             obstacles: Vec::new(),
             decay_noise: Vec::new(),
-            growth: Vec::new(),
+            g: Vec::new(),
             decay: None,
             curves: None,
             is_curved: false,
@@ -138,7 +138,7 @@ impl ParameterField {
             parameters: cutout.of(&self.parameters),
             obstacles: cutout.of(&self.obstacles),
             decay_noise: cutout.of(&self.decay_noise),
-            growth: cutout.of(&self.growth),
+            g: cutout.of(&self.g),
             decay: self.decay,
             curves,
             is_curved: self.is_curved,
@@ -177,13 +177,13 @@ impl ParameterField {
         });
         let decay_noise = cells_unless(self.decay_noise.is_empty());
         let decay_noise = decay_noise.map(|i| self.decay_noise_at(at(i), [wide, high])).collect();
-        let growth = cells_unless(self.growth.is_empty()).map(|i| self.growth[there(i)]).collect();
+        let g = cells_unless(self.g.is_empty()).map(|i| self.g[there(i)]).collect();
         let finer_rate = |i: usize| {
             let p = self.parameters[there(i)];
             Parameters { rate: p.rate * finer, ..p }
         };
         let parameters = (0..grid.cells()).into_par_iter().map(finer_rate).collect();
         let Self { decay, is_curved, .. } = *self;
-        Self { domain: grid, parameters, obstacles, decay_noise, growth, decay, curves, is_curved }
+        Self { domain: grid, parameters, obstacles, decay_noise, g, decay, curves, is_curved }
     }
 }

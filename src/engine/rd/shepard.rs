@@ -37,7 +37,7 @@ pub type Vary<'a, const N: usize> = &'a (dyn Fn(usize, &[[f64; N]], &mut [Parame
 /// values change.
 ///
 /// `known` are the values at each spot, given in the frame of its place; `turned` gives values in a frame turned by some degrees, see
-/// [`Domain::turn`].
+/// [`Domain::transport_angle`].
 pub fn interpolate_parameters<D: Domain, const N: usize>(
     domain: &D,
     spots: &[Kernel<D::Place>],
@@ -145,7 +145,7 @@ fn add<D: Domain, const N: usize>(
     let first = cells.start;
     let sharpness = -0.5 / (tau * tau);
     domain.runs_near(spot.at, kernel.far(), cells).for_each(|(run, displacement)| {
-        let turn = domain.turn(spot.cell, run.start);
+        let turn = domain.transport_angle(spot.cell, run.start);
         let known = if turn == 0.0 { *known } else { turned(known, turn) };
         let (inner, weights) = along(spot.metric.map(|part| sharpness * part), displacement, run.len());
         let cells = run.start - first + inner.start..run.start - first + inner.end;

@@ -84,7 +84,7 @@ impl Buckets for SurfaceBuckets<'_> {
         from == to && displacement != [0.0; 2]
     }
 
-    fn turn(&self, from: usize, to: usize) -> f64 {
-        self.surface.turn(from, to)
+    fn transport_angle(&self, from: usize, to: usize) -> f64 {
+        self.surface.transport_angle(from, to)
     }
 }

@@ -69,7 +69,7 @@ impl Domain for Surface {
         self.walk(from, displacement.map(|part| part * self.unit()))
     }
 
-    fn turn(&self, from: usize, to: usize) -> f64 {
+    fn transport_angle(&self, from: usize, to: usize) -> f64 {
         if from == to {
             return 0.0;
         }

@@ -44,7 +44,7 @@ fn a_flat_plate_is_as_flat_as_a_grid() {
             );
             let there = surface.position(surface.moved(from, displacement));
             assert!(distance(there, b) < 1e-9, "{there:?} {b:?}");
-            assert!(surface.turn(surface.cell_at(from), surface.cell_at(to)).abs() < 1e-9);
+            assert!(surface.transport_angle(surface.cell_at(from), surface.cell_at(to)).abs() < 1e-9);
             let near: Vec<usize> =
                 surface.near(from, 4.0, 0..surface.cells()).map(|(cell, _)| cell).collect();
             for cell in 0..surface.cells() {
@@ -101,7 +101,7 @@ fn displacements_round_a_tube_are_those_of_the_unrolled_sheet() {
         assert!(distance(surface.position(surface.moved(from, displacement)), surface.position(to)) < 1e-9);
         // Up is the first axis, and the tube has no curvature that rotates it.
         assert!((displacement[0] - f64::from(rows as u32) * 0.3 / unit).abs() < 1e-9);
-        let turn = surface.turn(8 * 60, (8 + rows) * 60 + columns);
+        let turn = surface.transport_angle(8 * 60, (8 + rows) * 60 + columns);
         assert!((turn + 180.0).rem_euclid(360.0) - 180.0 < 1e-6, "{turn}");
     }
 }
@@ -153,11 +153,11 @@ fn a_direction_transported_there_and_back_is_unchanged() {
         let near: Vec<(usize, [f64; 2])> =
             surface.near(surface.center(from), 6.0, 0..surface.cells()).collect();
         for (to, displacement) in near.into_iter().step_by(9).filter(|(to, _)| *to != from) {
-            let there = turned(displacement, surface.turn(from, to));
+            let there = turned(displacement, surface.transport_angle(from, to));
             let [x, y] = surface.displacement(surface.center(to), surface.center(from));
             let off = norm([there[0] + x, there[1] + y]) / norm(displacement);
             assert!(off < 0.06, "{from} {to}: {displacement:?} {there:?} {x} {y}");
-            let round = surface.turn(from, to) + surface.turn(to, from);
+            let round = surface.transport_angle(from, to) + surface.transport_angle(to, from);
             assert!(((round + 180.0).rem_euclid(360.0) - 180.0).abs() < 1e-6);
         }
     }
@@ -239,7 +239,7 @@ fn surfaces_of_any_kind_and_size_give_finite_results() {
             let there = surface.moved(place, [1.5, -2.0]);
             assert!(surface.position(there).iter().all(|part| part.is_finite()));
             assert!(norm(surface.displacement(place, there)).is_finite());
-            assert!(surface.turn(cell, cells - 1).is_finite());
+            assert!(surface.transport_angle(cell, cells - 1).is_finite());
         }
     }
 }

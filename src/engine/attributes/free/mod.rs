@@ -68,7 +68,7 @@ impl FreeMap {
     /// The map of `marks` on a canvas of `size` px, by these `rules` for periods.
     ///
     /// # Errors
-    /// As [`Self::from_marks`].
+    /// Those of [`Self::from_marks`].
     pub fn with_rules(
         marks: &[Mark],
         size: [f64; 2],

@@ -115,7 +115,7 @@ impl RegionMap {
     /// `rules` allow.
     ///
     /// # Errors
-    /// As [`Self::from_marks`].
+    /// Those of [`Self::from_marks`].
     pub fn with_rules(
         marks: &[Mark],
         size: [f64; 2],

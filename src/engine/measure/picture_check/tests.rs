@@ -1,6 +1,6 @@
 use super::*;
 use crate::grid::Edges;
-use crate::measure::{level_between_phases, picture};
+use crate::measure::{otsu_threshold, picture};
 
 /// A picture of 256 × 256 px.
 fn painted(tone: impl FnMut([f64; 2]) -> f32) -> Field {
@@ -9,7 +9,7 @@ fn painted(tone: impl FnMut([f64; 2]) -> f32) -> Field {
 
 /// The verdict on a picture in which marks can be measured.
 fn judged(field: &Field) -> Option<NotTexture> {
-    let level = level_between_phases(&field.values);
+    let level = otsu_threshold(&field.values);
     let found = picture(field, level).expect("something is measured");
     check_picture(field, level, &found).err()
 }

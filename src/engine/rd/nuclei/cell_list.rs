@@ -86,7 +86,7 @@ impl<B: Buckets> CellList<B> {
             let near = |(index, at): &(u32, B::Place)| {
                 displacement(*at).is_some_and(|here| {
                     let other = &self.all[*index as usize];
-                    let there = turned(here, self.buckets.turn(point.cell, other.cell));
+                    let there = turned(here, self.buckets.transport_angle(point.cell, other.cell));
                     is_near(other, Displacement { here, there })
                 })
             };
@@ -110,7 +110,7 @@ impl<B: Buckets> CellList<B> {
             for &(index, at) in self.cells[buckets].iter().flatten() {
                 if let Some(here) = displacement(at) {
                     let other = &self.all[index as usize];
-                    let there = turned(here, self.buckets.turn(point.cell, other.cell));
+                    let there = turned(here, self.buckets.transport_angle(point.cell, other.cell));
                     each(index as usize, Displacement { here, there });
                 }
             }

@@ -33,7 +33,7 @@ pub fn relax_places<D: Domain>(
     let space = domain.space((FRAME * largest).ceil());
     let nucleus = |i: usize, to: D::Place| {
         let cell = domain.cell_at(space.to_domain(to));
-        let own = own[i].turned(domain.turn(laid_in[i], cell));
+        let own = own[i].turned(domain.transport_angle(laid_in[i], cell));
         Nucleus::new(&own, domain, cell, to, system.spacing(&own))
     };
     let framed = |at: D::Place| space.moved(space.to_space(at), [0.0; 2]);
@@ -48,7 +48,7 @@ pub fn relax_places<D: Domain>(
         }
         let cell = domain.cell_at(space.to_domain(to));
         // In a frame that is not rotated the metric has equal numbers.
-        let is_turned = domain.turn(before.cell, cell) != 0.0;
+        let is_turned = domain.transport_angle(before.cell, cell) != 0.0;
         if is_turned { nucleus(i, to) } else { Nucleus { at: to, cell, ..*before } }
     };
     let mut placed = CellList::new(space.buckets(PUSH.max(reach) * largest));

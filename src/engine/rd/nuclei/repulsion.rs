@@ -101,7 +101,7 @@ impl<P: Copy> Sorted<P> {
                 if 0.5 * own >= reach * reach {
                     continue;
                 }
-                let there = turned(here, buckets.turn(point.cell, other.cell));
+                let there = turned(here, buckets.transport_angle(point.cell, other.cell));
                 let d = (0.5 * (own + other.distance2(there))).sqrt();
                 if d > 1e-9 && d < reach {
                     // Half of the gap to the reach, shared with the other, damped for six neighbours.

@@ -81,7 +81,7 @@ static DEFINITION: Definition = Definition {
     along_curves: Some(ALONG_CURVES),
     obstacle: &OBSTACLE,
     obstacle_rim: 0.0,
-    growth: None,
+    g: None,
     decay: meinhardt_spots::P2,
     reaction_limit: 1.0,
     super_step_limit: 4.0,
@@ -109,8 +109,8 @@ static DEFINITION: Definition = Definition {
     // Formed at T = 15. Bent lines drift for ever, at 0.02 per unit of time, and where lines meet one of them ends: from T = 15 to
     // 60 their distance grew by 4 %, to 300 by 10 %.
     convergence: Convergence { earliest: 15.0, latest: 120.0, drift: 0.04, corrected: 4.0, still: 0.04 },
-    scatter: Scatter { size: 0.01, spacing: 0.016, elongation: 0.0, turn: 0.42 },
-    tolerated: Scatter { size: 0.03, spacing: 0.03, elongation: 0.0, turn: 1.0 },
+    scatter: Scatter { size: 0.01, spacing: 0.016, elongation: 0.0, direction: 0.42 },
+    tolerated: Scatter { size: 0.03, spacing: 0.03, elongation: 0.0, direction: 1.0 },
     // The profile across is a Gaussian: ln width = ½ ln ln(1/l) + c.
     level_slope: -0.72,
     spots: None,

@@ -68,7 +68,7 @@ static DEFINITION: Definition = Definition {
     along_curves: None,
     obstacle: &OBSTACLE,
     obstacle_rim: 0.0,
-    growth: None,
+    g: None,
     decay: P2,
     // `facts.md` B.
     reaction_limit: 1.0,
@@ -91,8 +91,8 @@ static DEFINITION: Definition = Definition {
         exact: MarkCells::always(120.0),
     },
     convergence: Convergence { earliest: 15.0, latest: 120.0, drift: 0.004, corrected: 4.0, still: 0.01 },
-    scatter: Scatter { size: 0.0008, spacing: 0.005, elongation: 0.001, turn: 0.05 },
-    tolerated: Scatter { size: 0.01, spacing: 0.02, elongation: 0.01, turn: 0.5 },
+    scatter: Scatter { size: 0.0008, spacing: 0.005, elongation: 0.001, direction: 0.05 },
+    tolerated: Scatter { size: 0.01, spacing: 0.02, elongation: 0.01, direction: 0.5 },
     level_slope: -1.44,
     spots: Some(SpotLimits {
         // Of nine pairs among other spots, round and long, along and across, none merged at distances of 0.41, 0.52, 0.60, 0.66

@@ -78,7 +78,7 @@ static DEFINITION: Definition = Definition {
     along_curves: None,
     obstacle: &OBSTACLE,
     obstacle_rim: 0.0,
-    growth: None,
+    g: None,
     decay: K_AB,
     // `facts.md` C.
     reaction_limit: 4.0,
@@ -103,8 +103,8 @@ static DEFINITION: Definition = Definition {
         exact: MarkCells::always(14.0),
     },
     convergence: Convergence { earliest: 30.0, latest: 300.0, drift: 0.008, corrected: 2.0, still: 0.01 },
-    scatter: Scatter { size: 0.014, spacing: 0.0, elongation: 0.0, turn: 0.5 },
-    tolerated: Scatter { size: 0.03, spacing: 0.0, elongation: 0.0, turn: 1.0 },
+    scatter: Scatter { size: 0.014, spacing: 0.0, elongation: 0.0, direction: 0.5 },
+    tolerated: Scatter { size: 0.03, spacing: 0.0, elongation: 0.0, direction: 1.0 },
     // A sinusoidal profile: width = (λ/π) arccos(2l − 1).
     level_slope: -2.0 / std::f64::consts::PI,
     spots: None,

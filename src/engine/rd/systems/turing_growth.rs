@@ -23,7 +23,7 @@ use crate::rd::vector::Number;
 use rand::RngExt;
 
 impl System {
-    /// Two chemicals; dots, worms or holes, depending on [`ParameterField::growth`]. Its parameters follow from laws and not from
+    /// Two chemicals; dots, worms or holes, depending on [`ParameterField::g`]. Its parameters follow from laws and not from
     /// training rows, so that it is not in [`Self::ALL`].
     #[must_use]
     pub const fn with_growth() -> Self {
@@ -75,7 +75,7 @@ static DEFINITION: Definition = Definition {
     along_curves: None,
     obstacle: &OBSTACLE,
     obstacle_rim: 0.25,
-    growth: Some(USUAL),
+    g: Some(USUAL),
     decay: 1.0,
     // Lawlor's step is 0.5 at kₐ = 0.0125; this is twice as long. From white noise b explodes where it reaches a region with much a
     // late. From waves it does not: a stays below 30.
@@ -112,7 +112,7 @@ static DEFINITION: Definition = Definition {
 };
 
 /// Nothing is corrected by probes.
-const NONE: Scatter = Scatter { size: 0.0, spacing: 0.0, elongation: 0.0, turn: 0.0 };
+const NONE: Scatter = Scatter { size: 0.0, spacing: 0.0, elongation: 0.0, direction: 0.0 };
 
 /// The usual β.
 const BETA: f32 = 20.0;
@@ -158,10 +158,10 @@ impl Kinetics<3> for TuringGrowth {
 
 /// a and b with the parameter G of each cell.
 fn with_growth(maps: &ParameterField, grid: RowLayout, mut planes: Vec<Plane>) -> Option<Box<dyn Chemicals>> {
-    let growth = if maps.growth.is_empty() {
+    let growth = if maps.g.is_empty() {
         Plane::from_cells(grid, &vec![USUAL; maps.parameters.len()])
     } else {
-        Plane::from_cells(grid, &maps.growth)
+        Plane::from_cells(grid, &maps.g)
     };
     planes.push(growth?);
     reacting(TuringGrowth { decay: maps.decay.unwrap_or(BETA) }, planes)
@@ -190,7 +190,8 @@ mod tests {
     fn grown(growth: Vec<f32>, steps: u64) -> Growth {
         let rate = 0.0125 / (0.25_f32 * 0.03125).sqrt();
         let parameters = Parameters { rate, ratio: 1.0, stretch: 1.0, direction: 0.0, pitch: 1.0 };
-        let maps = ParameterField { growth, ..ParameterField::uniform([SIDE; 2], Edges::Wrap, parameters) };
+        let maps =
+            ParameterField { g: growth, ..ParameterField::uniform([SIDE; 2], Edges::Wrap, parameters) };
         let mut growth = Growth::new(System::with_growth(), &maps, 3);
         growth.advance(steps);
         growth

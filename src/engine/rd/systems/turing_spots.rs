@@ -73,7 +73,7 @@ static DEFINITION: Definition = Definition {
     obstacle: &OBSTACLE,
     // Half of the distance at which the edges of spots lie from an obstacle.
     obstacle_rim: 0.25,
-    growth: None,
+    g: None,
     decay: 1.0,
     // `facts.md` A.
     reaction_limit: 0.045,
@@ -92,8 +92,8 @@ static DEFINITION: Definition = Definition {
     },
     convergence: Convergence { earliest: 20.0, latest: 150.0, drift: 0.008, corrected: 6.0, still: 0.02 },
     // The scatter for the largest elongation.
-    scatter: Scatter { size: 0.004, spacing: 0.0, elongation: 0.018, turn: 1.0 },
-    tolerated: Scatter { size: 0.01, spacing: 0.02, elongation: 0.01, turn: 0.5 },
+    scatter: Scatter { size: 0.004, spacing: 0.0, elongation: 0.018, direction: 1.0 },
+    tolerated: Scatter { size: 0.01, spacing: 0.02, elongation: 0.01, direction: 0.5 },
     level_slope: -1.44,
     spots: Some(SpotLimits {
         // Of 36 pairs 20 lost a spot at a distance of 0.72 spacings, three at 0.82.

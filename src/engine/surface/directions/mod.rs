@@ -45,7 +45,7 @@ pub fn directions(surface: &Surface, given: &[(SurfacePoint, f64, f64)], along_w
     for (place, degrees, weight) in given.iter().filter(|given| given.1.is_finite() && given.2.is_finite()) {
         let cell = surface.vertex_of(*place);
         for (vertex, share) in surface.mesh.faces[place.face as usize].into_iter().zip(place.shares()) {
-            let degrees = degrees + surface.turn(cell, vertex as usize);
+            let degrees = degrees + surface.transport_angle(cell, vertex as usize);
             let (sin, cos) = libm::sincos(2.0 * degrees.to_radians());
             matrix.hold(vertex as usize, [cos, sin], HELD * share * weight.max(0.0));
         }

@@ -7,7 +7,7 @@ use crate::rd::{
     GuideSegment, Parameters, PinnedSpot, Places, from_places, from_wave_values, initial_waves, waves_from,
 };
 use crate::surface::{Surface, SurfacePoint, distances};
-use crate::synth::body::anchors::{Origin, ellipses, place_of};
+use crate::synth::body::anchors::{ellipses, place_of};
 use crate::synth::body::given_directions::{Piece, pieces};
 use crate::synth::body::laid::lay;
 use crate::synth::body::layer::BodyLayer;
@@ -74,8 +74,7 @@ fn pinned(document: &Document, placed: &Placed, plan: &BodyPlan) -> Vec<PinnedSp
     };
     let pin = |(index, mark)| {
         let at = place_of(mark, plan.surface(), &placed.scale);
-        let anchor = plan.anchors.iter().find(|anchor| anchor.origin == Origin::Mark(index));
-        let own = anchor.map_or_else(|| plan.maps.at(at), |anchor| plan.own_parameters(anchor));
+        let own = plan.own_parameters(index).unwrap_or_else(|| plan.maps.at(at));
         PinnedSpot { at, own, near: limits.merging.least }
     };
     ellipses(&layer.on_model).map(pin).collect()
@@ -143,8 +142,8 @@ fn longer(plan: &BodyPlan, phases: &[f32]) -> Option<f64> {
 /// Pieces of a path about half a wavelength long.
 fn guides(points: &[[f64; 3]], placed: &Placed, plan: &BodyPlan) -> Vec<GuideSegment<SurfacePoint>> {
     let surface = plan.surface();
-    let middle = surface.vertex_of(surface.closest(placed.scale.to_px(points[0])));
-    let wavelength = plan.choice.system.spacing(&plan.maps.parameters[middle]) * surface.unit();
+    let first = surface.vertex_of(surface.closest(placed.scale.to_px(points[0])));
+    let wavelength = plan.choice.system.spacing(&plan.maps.parameters[first]) * surface.unit();
     let guide = |piece: Piece| GuideSegment {
         middle: piece.middle,
         degrees: piece.degrees,

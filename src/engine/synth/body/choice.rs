@@ -45,8 +45,7 @@ impl Choice {
         let open = match first {
             Attributes::Spots(_) => systems().find(|system| system.definition().fineness.is_some()),
             Attributes::Stripes(stripes) => {
-                let free = stripes.wavelength.is_some();
-                systems().find(|system| system.is_striped() && system.description().free_spacing == free)
+                SystemChoice::system_of_stripes(stripes.wavelength.is_some()).filter(|system| grows(*system))
             }
         };
         let system = match layer.wanted_system() {

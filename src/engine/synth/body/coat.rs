@@ -39,6 +39,14 @@ impl Coat {
         Self { layers: document.layers.iter().enumerate().map(of_layer).collect() }
     }
 
+    /// The light of each vertex, from the patterns of all layers by vertex.
+    #[must_use]
+    pub fn lights(&self, patterns: &[Vec<f32>]) -> Vec<[f32; 3]> {
+        let vertices = patterns.first().map_or(0, Vec::len);
+        let at = |vertex: usize| patterns.iter().map(|pattern| pattern[vertex]).collect::<Vec<f32>>();
+        (0..vertices).map(|vertex| self.light(&at(vertex))).collect()
+    }
+
     /// The light for one pattern value a layer: that of the highest visible layer that was free to grow there. Over the marks of a hidden
     /// layer it is the ground of the highest visible one.
     #[must_use]

@@ -30,9 +30,7 @@ impl GrownBody {
     pub fn displaced(&self, height: f64) -> Displaced {
         let Fine { mut mesh, normals, patterns } = self.fine();
         let relief = Surface { relief: vec![height], ..Surface::default() };
-        let coat = Coat::new(&self.document);
-        let of_vertex = |vertex: usize| patterns.iter().map(|pattern| pattern[vertex]).collect::<Vec<f32>>();
-        let colours = (0..mesh.positions.len()).map(|vertex| coat.light(&of_vertex(vertex))).collect();
+        let colours = Coat::new(&self.document).lights(&patterns);
         let mut shared = chosen(&patterns, &self.raised());
         shares(&mut shared);
         let mut heights = relief.height(&shared);

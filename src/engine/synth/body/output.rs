@@ -70,10 +70,7 @@ impl GrownBody {
         let Fine { mut mesh, patterns, .. } = self.fine();
         mesh.positions.iter_mut().for_each(|at| *at = turned(scale.to_file(*at)));
         let shown = normals(&mesh);
-        let coat = Coat::new(&self.document);
-        let at = |vertex: usize| patterns.iter().map(|pattern| pattern[vertex]).collect::<Vec<f32>>();
-        let colours: Vec<[f32; 3]> =
-            (0..mesh.positions.len()).map(|vertex| coat.light(&at(vertex))).collect();
+        let colours = Coat::new(&self.document).lights(&patterns);
         let bare = self.bare(turned);
         let grown = Coloured {
             name: "grown",

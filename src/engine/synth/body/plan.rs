@@ -10,6 +10,7 @@ use crate::surface::{Directions, Surface, directions};
 use crate::synth::body::anchors::{Anchor, Origin, anchors};
 use crate::synth::body::answer_table::{AnswerTable, asked_on, parameters};
 use crate::synth::body::asked::Asked;
+use crate::synth::body::beneath::with_clearance;
 use crate::synth::body::choice::Choice;
 use crate::synth::body::curves::{Curves, Request, widths};
 use crate::synth::body::given_directions::given;
@@ -167,11 +168,11 @@ impl BodyPlan {
         })
     }
 
-    /// The parameters of the mark that an anchor comes from, in the frame of its place.
+    /// The parameters of a mark on the model, in the frame of its place; `None` where there is no mark of this index.
     #[must_use]
-    pub fn own_parameters(&self, anchor: &Anchor) -> Parameters {
-        let index = self.anchors.iter().position(|other| other.origin == anchor.origin);
-        index.map_or_else(|| self.maps.at(anchor.place), |index| self.own[index])
+    pub fn own_parameters(&self, mark: usize) -> Option<Parameters> {
+        let index = self.anchors.iter().position(|anchor| anchor.origin == Origin::Mark(mark))?;
+        Some(self.own[index])
     }
 
     /// Among `obstacles`, vertices that the marks beneath cover: nothing grows there, and lines along curves run round or between them.
@@ -179,7 +180,11 @@ impl BodyPlan {
     /// # Errors
     /// Lines find nothing to run around, or no room.
     pub fn among(mut self, document: &Document, obstacles: Vec<bool>) -> Result<Self, LayerError> {
-        self.maps.obstacles = obstacles;
+        self.maps.obstacles = if self.choice.system.is_striped() {
+            obstacles
+        } else {
+            with_clearance(&self.maps, &obstacles, self.choice.system)
+        };
         if let Some((kind, laws)) = self.choice.curves {
             let request = Request {
                 surface: &self.maps.domain,

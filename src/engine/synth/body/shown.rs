@@ -70,11 +70,8 @@ impl Shown {
 
 /// The colours of a surface's vertices at all levels of blur that px so long on it need.
 fn blurred(coat: &Coat, patterns: &[Vec<f32>], surface: &Surface, px: f64) -> Blurred {
-    let of_vertex = |vertex: usize| patterns.iter().map(|pattern| pattern[vertex]).collect::<Vec<f32>>();
-    let colours: Vec<[f32; 3]> =
-        (0..surface.mesh.positions.len()).map(|vertex| coat.light(&of_vertex(vertex))).collect();
     // Parts that are seen aslant need more than a px.
-    Blurred::new(surface, &colours, 4.0 * px)
+    Blurred::new(surface, &coat.lights(patterns), 4.0 * px)
 }
 
 impl GrownBody {

@@ -8,16 +8,16 @@ use crate::attributes::{Attributes, Spots, Spread};
 use crate::rd::{Kernel, Parameters, Places, interpolate, relax_places, selling::MIN_STRETCH};
 use crate::surface::SurfacePoint;
 use crate::synth::body::plan::BodyPlan;
+use crate::synth::marks::plan::one_spot::OWN_SHAPE;
+use crate::synth::marks::plan::spread::ROOM_REACH;
 use crate::synth::marks::plan::spread::deviations::{areas, aspects, stratified, turns};
 
-/// How far the room that a spot takes has its own shape and direction, not those of its surroundings.
-const OWN_SHAPE: f64 = 0.6;
-/// Spots nearer than this are pushed apart, in pitches: the first ring of neighbours.
-const ROOM_REACH: f64 = 1.25;
 /// Spots whose area, aspect and angle vary by less than this are equal.
 const LEAST: f64 = 1e-3;
-/// Rounds of repulsion until spots have the room that each needs.
+/// Rounds of repulsion until spots have the room that each needs, as on a canvas with few spots.
 const ROUNDS: usize = 30;
+/// Mixed into the seed of the layer: deviations have random numbers of their own.
+const SEED: u64 = 0x5052_4541_4400;
 
 /// Gives each spot of `laid` parameters of its own, and moves those that are not pinned until each has the room that it needs. `pinned` are
 /// the parameters of the drawn spots, which come first; the others vary. Nothing is changed where spots do not differ.
@@ -81,7 +81,7 @@ impl Deviation {
 
 /// The deviations of spots at these places, with the spread that is asked about each anchor.
 fn deviations(plan: &BodyPlan, places: &[SurfacePoint], seed: u64) -> Vec<Deviation> {
-    let mut rng = Pcg64Mcg::seed_from_u64(seed ^ 0x5052_4541_4400);
+    let mut rng = Pcg64Mcg::seed_from_u64(seed ^ SEED);
     let vertices: Vec<usize> = places.iter().map(|at| plan.surface().vertex_of(*at)).collect();
     let mut all: Vec<Deviation> =
         places.iter().map(|_| Deviation { area: 1.0, rounder: 0.0, turn: 0.0 }).collect();

@@ -11,7 +11,7 @@ use image::DynamicImage;
 use crate::colour::Gradient;
 use crate::document::{Colours, Document, embedded};
 use crate::grid::{Edges, Field};
-use crate::measure::{Picture, level_between_phases, patches};
+use crate::measure::{Picture, otsu_threshold, patches};
 use crate::photo::{self, Corners, Crop, Limits, Neither, Raster, Reading, Segmentation};
 use crate::synth::memory;
 use crate::synth::pattern::EDGE;
@@ -370,7 +370,7 @@ fn pattern_of_gray(image: &DynamicImage, is_ours: bool) -> Option<Tones> {
     if !is_ours && (low > BLACK || high < WHITE) {
         return None;
     }
-    let level = if low < EDGE && high > EDGE { EDGE } else { level_between_phases(&field.values) };
+    let level = if low < EDGE && high > EDGE { EDGE } else { otsu_threshold(&field.values) };
     Some(Tones { field, level })
 }
 

@@ -123,7 +123,7 @@ impl TonePlan {
             Some(tone) => plan.follow(tone, &field, size),
             None => plan.factors = plan.drawn_distances(&field),
         }
-        if let Some(usual) = plan.system.usual_growth() {
+        if let Some(usual) = plan.system.usual_g() {
             plan.growth = growth::growth(&plan, document, index, usual);
             plan.directions = vec![(0.0, 0.0); plan.grid.cells()];
         }
@@ -138,7 +138,7 @@ impl TonePlan {
         free: Option<f64>,
     ) -> Result<Self, TonePlanError> {
         let wavelength = wavelength_of(&drawn.usual);
-        let grows = drawn.system.usual_growth().is_some();
+        let grows = drawn.system.usual_g().is_some();
         let cells = match drawn.system {
             ToneSystem::PairStripes => CELLS_OF_PAIRS,
             ToneSystem::Of(_) => CELLS[usize::from(grows || !drawn.system.is_striped())],
@@ -286,7 +286,7 @@ impl TonePlan {
             pitch: setting.pitch as f32,
         };
         let parameters = self.directions.par_iter().zip(&self.factors).map(of_cell).collect();
-        ParameterField { growth: self.growth.clone(), ..ParameterField::new(self.grid, parameters) }
+        ParameterField { g: self.growth.clone(), ..ParameterField::new(self.grid, parameters) }
     }
 }
 

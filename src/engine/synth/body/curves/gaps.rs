@@ -6,7 +6,7 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::Request;
-use super::nearest::Nearest;
+use super::nearest::{Nearest, apart};
 use crate::surface::Surface;
 use crate::synth::marks::plan::offset_curves::gaps::{
     APART, LEAST, LEAST_CUT, MORE_OR_LESS, REACH, RECEDES, TRIES,
@@ -47,11 +47,6 @@ pub fn open(request: &Request, off: &[f64], curve: &[bool], ring: impl Fn(usize)
     let is_opened =
         |vertex: usize| off[vertex] * surface.unit() < REACH * widths[vertex] && cut[to.to[vertex] as usize];
     Gaps { opened: (0..curve.len()).map(is_opened).collect(), ends }
-}
-
-fn apart(surface: &Surface, a: usize, b: usize) -> f64 {
-    let [a, b] = [a, b].map(|vertex| surface.mesh.positions[vertex]);
-    (0..3).map(|i| (a[i] - b[i]) * (a[i] - b[i])).sum::<f64>().sqrt()
 }
 
 /// `count` of the `vertices`, far from each other.

@@ -8,7 +8,7 @@ mod rings;
 mod web;
 
 use crate::attributes::Attributes;
-use crate::measure::surface_directions;
+use crate::measure::{SurfaceDirection, surface_directions};
 use crate::rd::{GuideCurves, LinesAlongCurves, ParameterField, Parameters, System};
 use crate::surface::Surface;
 use crate::synth::error::CurvesError;
@@ -73,7 +73,7 @@ impl Curves {
         }
     }
 
-    /// `maps` with lines that run along these curves.
+    /// Makes the lines of `maps` run along these curves.
     pub fn guide(&self, maps: &mut ParameterField<Surface>) {
         for (p, run) in maps.parameters.iter_mut().zip(&self.run) {
             let [direction, stretch, ratio] =
@@ -95,8 +95,8 @@ impl Curves {
         self.distance.iter().zip(&maps.parameters).map(phase).collect()
     }
 
-    /// The factors by which 2 × area ÷ contour length is smaller than the width of lines, by group of vertices: the ends of open rings
-    /// have a contour, too.
+    /// The width of the lines in a group of vertices, px, where 2 × area ÷ contour length is `measured`: the ends of open rings have a
+    /// contour, too.
     ///
     /// Of arcs of length L with e square ends in all, W = 2Lw ÷ (2L + ew), so that w = W ÷ (1 − eW/2L).
     #[must_use]
@@ -132,7 +132,7 @@ fn runs(request: &Request, distance: &[f64], stretch_and_meeting: impl Fn(usize)
     let finite: Vec<f32> =
         distance.iter().map(|away| if away.is_finite() { *away as f32 } else { 0.0 }).collect();
     let found = surface_directions(request.surface, &finite, 0.5 * thinnest);
-    let run = |(vertex, found): (usize, crate::measure::SurfaceDirection)| {
+    let run = |(vertex, found): (usize, SurfaceDirection)| {
         let agreed = found.coherence;
         let (stretch, meeting) = stretch_and_meeting(vertex);
         let meets = (1.0 - agreed) * meeting;

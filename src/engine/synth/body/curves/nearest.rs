@@ -28,12 +28,7 @@ impl Nearest {
                 continue;
             }
             // Down the steepest way: through the neighbour from which the rest of the way is shortest.
-            let position = surface.mesh.positions[vertex];
-            let through = |other: &usize| {
-                let there = surface.mesh.positions[*other];
-                distance[*other]
-                    + (0..3).map(|i| (there[i] - position[i]) * (there[i] - position[i])).sum::<f64>().sqrt()
-            };
+            let through = |other: &usize| distance[*other] + apart(surface, vertex, *other);
             let known = surface.ring(vertex).filter(|other| is_known[*other]);
             if let Some(next) = known.min_by(|a, b| through(a).total_cmp(&through(b)).then(a.cmp(b))) {
                 to[vertex] = to[next];
@@ -42,6 +37,13 @@ impl Nearest {
         }
         Some(Self { distance, to })
     }
+}
+
+/// The straight distance between two vertices, px.
+#[must_use]
+pub fn apart(surface: &Surface, a: usize, b: usize) -> f64 {
+    let [a, b] = [a, b].map(|vertex| surface.mesh.positions[vertex]);
+    (0..3).map(|i| (a[i] - b[i]) * (a[i] - b[i])).sum::<f64>().sqrt()
 }
 
 /// The connected parts of the vertices that are `set`.

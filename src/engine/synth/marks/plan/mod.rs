@@ -33,7 +33,7 @@ pub mod mark_cells;
 pub mod obstacle_mask;
 pub mod offset;
 pub mod offset_curves;
-mod one_spot;
+pub mod one_spot;
 pub mod pinned_marks;
 pub mod raggedness;
 pub mod setting;

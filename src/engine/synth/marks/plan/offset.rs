@@ -21,8 +21,8 @@ pub struct Offset {
 }
 
 impl From<Scatter> for Offset {
-    fn from(Scatter { size, spacing, elongation, turn }: Scatter) -> Self {
-        Self { size, spacing, elongation, turn }
+    fn from(Scatter { size, spacing, elongation, direction }: Scatter) -> Self {
+        Self { size, spacing, elongation, turn: direction }
     }
 }
 

@@ -17,7 +17,7 @@ pub struct Deviation {
 
 /// The share of its own shape and direction, against those of the surroundings, in the shape of the room of a spot: of 1,160 spots
 /// rotated by 10° (aspect 0.4, area/spacing² 0.2) seven merged at 0, none at 0.5, six at 1.
-const OWN_SHAPE: f64 = 0.6;
+pub const OWN_SHAPE: f64 = 0.6;
 
 /// The change of the parameters for a spot at a place (px) with this deviation.
 pub fn deviating(lookup: &Lookup, px: [f64; 2], deviation: &Deviation) -> NodeOffset {

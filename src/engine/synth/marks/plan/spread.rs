@@ -27,6 +27,7 @@ use crate::synth::marks::plan::mark_cells::largest_mark;
 use crate::synth::profile::{Section, during};
 use deviations::Scores;
 use far_spots::far_spots;
+pub use laid::ROOM_REACH;
 use laid::{Spaced, lay_spaced, own_rng};
 use own_parameters::own_of_all;
 

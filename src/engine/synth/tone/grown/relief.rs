@@ -20,7 +20,7 @@ const QUANTILES: [f64; 2] = [0.01, 0.99];
 /// The relief of `marks` that `system` has grown, `wavelength` px apart.
 #[must_use]
 pub fn relief(marks: &Field, system: ToneSystem, wavelength: f64) -> Field {
-    let values = if system.usual_growth().is_some() {
+    let values = if system.usual_g().is_some() {
         // The shown value is b ÷ (b + 3), which has slopes up to its peaks.
         marks.values.clone()
     } else if system.is_striped() {

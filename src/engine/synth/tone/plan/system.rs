@@ -41,9 +41,9 @@ impl ToneSystem {
 
     /// The usual parameter G; `None` for systems without it.
     #[must_use]
-    pub fn usual_growth(self) -> Option<f32> {
+    pub fn usual_g(self) -> Option<f32> {
         match self {
-            Self::Of(system) => system.usual_growth(),
+            Self::Of(system) => system.usual_g(),
             Self::PairStripes => None,
         }
     }

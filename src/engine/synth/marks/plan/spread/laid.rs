@@ -40,7 +40,7 @@ impl RepulsionRounds {
 }
 
 /// Spots closer than this are pushed apart, in pitches: the first ring of neighbours, as for nuclei.
-const ROOM_REACH: f64 = 1.25;
+pub const ROOM_REACH: f64 = 1.25;
 /// After the jitter, only spots closer than this are pushed apart, in pitches. Closer ones merge or vanish: of 200 dense spots
 /// (area/spacing² 0.19) five were lost at 0.75, none at 0.85.
 const JITTERED_REACH: f64 = 0.85;
