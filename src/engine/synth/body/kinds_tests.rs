@@ -14,18 +14,18 @@ use crate::synth::body::beneath::carried;
 use crate::synth::pattern::EDGE;
 
 /// Layers on a built-in body of so many px.
-fn on(name: &'static str, px: f64, layers: Vec<Layer>) -> Document {
+pub fn on(name: &'static str, px: f64, layers: Vec<Layer>) -> Document {
     let model = Some(Body { px, ..Body::new(BodySource::BuiltIn(name)) });
     Document { model, seed: 3, layers, ..Document::new([300, 260]) }
 }
 
-fn grown(document: &Document) -> GrownBody {
+pub fn grown(document: &Document) -> GrownBody {
     let growth = BodyGrowth::begin(document, None, &Options::default()).expect("it grows on models");
     growth.run().expect("it grows")
 }
 
 /// Round spots of this radius, so many px apart.
-fn spots(radius: f64, apart: f64) -> Layer {
+pub fn spots(radius: f64, apart: f64) -> Layer {
     let at = |i: i32| {
         let shift = 0.5 * f64::from(i / 4 % 2);
         [20.0 + apart * (f64::from(i % 4) + shift), 20.0 + 0.866 * apart * f64::from(i / 4)]
@@ -69,7 +69,7 @@ fn lines_and_gaps_on_a_torus_have_the_period_that_is_asked() {
 }
 
 /// How far each vertex of one layer's surface is from the marks of another, px.
-fn from_marks(layer: &BodyLayer, other: &BodyLayer) -> Vec<f64> {
+pub fn from_marks(layer: &BodyLayer, other: &BodyLayer) -> Vec<f64> {
     let surface = layer.plan.surface();
     let covered: Vec<bool> = carried(other, surface).iter().map(|value| *value >= EDGE).collect();
     let away = surface.distances(&covered).expect("marks");

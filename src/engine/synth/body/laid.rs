@@ -3,7 +3,6 @@
 
 use rayon::prelude::*;
 
-use crate::grid::Domain;
 use crate::rd::{ParameterField, Parameters, PinnedSpot, Places, System, nuclei};
 use crate::surface::{Surface, SurfacePoint};
 use crate::synth::body::given_directions::degrees;

@@ -1,7 +1,7 @@
 //! What a document may not ask for on a model.
 
 use crate::document::{
-    After, Body, BodyMark, Document, DocumentError, Kind, Layer, LayerOptions, MapSource, Problem,
+    After, AreaKind, Body, BodyMark, Document, DocumentError, Kind, Layer, LayerOptions, MapSource, Problem,
     RaggedChoice, Seeding, Stroke, SystemChoice,
 };
 use crate::synth::body::choice::{grows, systems};
@@ -22,7 +22,8 @@ pub fn check<'a>(document: &'a Document, source: &str) -> Result<&'a Body, Docum
 /// The problem of a layer whose system does not grow its marks on a model.
 #[must_use]
 pub fn system(layer: &Layer, index: usize) -> Problem {
-    let names: Vec<&str> = systems().map(|system| system.description().name).collect();
+    let areas = AreaKind::ALL.into_iter().map(|kind| kind.description().name);
+    let names: Vec<&str> = systems().map(|system| system.description().name).chain(areas).collect();
     let found = format!("{:?} on a model", layer.wanted_system().name());
     let allowed =
         format!("auto, {}, for marks that they grow; others do not grow on a model yet", names.join(", "));
@@ -37,7 +38,7 @@ fn refused(layer: &Layer, index: usize) -> Option<Problem> {
     };
     let is_known = match layer.wanted_system() {
         SystemChoice::Auto | SystemChoice::Stripes => true,
-        given => given.system().is_some_and(grows),
+        given => given.areas().is_some() || given.system().is_some_and(grows),
     };
     if !is_known {
         return Some(system(layer, index));
@@ -52,6 +53,7 @@ fn refused(layer: &Layer, index: usize) -> Option<Problem> {
         return at("strokes", "ellipses and lines in one layer", "marks of one kind in a layer on a model");
     }
     let has_paths = layer.on_model.iter().any(|mark| matches!(mark, BodyMark::Path { .. }));
+    let is_patches = layer.wanted_system().areas() == Some(AreaKind::Patches);
     let LayerOptions { irregular, ragged, broken, seeding, .. } = layer.options;
     let needs_paths = "a path on the model, from which stripes begin";
     match seeding {
@@ -61,7 +63,7 @@ fn refused(layer: &Layer, index: usize) -> Option<Problem> {
     }
     let options = [
         ("options.irregular", irregular != 0.0),
-        ("options.ragged", matches!(ragged, RaggedChoice::Given(_))),
+        ("options.ragged", matches!(ragged, RaggedChoice::Given(_)) && !is_patches),
         ("options.broken", broken != 0.0 && layer.after != After::Around),
         ("tone", layer.tone.is_some()),
         ("points", layer.points.is_some()),

@@ -167,7 +167,7 @@ fn elongation_of_metric(wanted: f64) -> f64 {
 
 /// The drawn width of the lines between cells, px: the mean width of the lines beside the ellipses, or else the mean gap between
 /// ellipses that nearly touch; `None` without either.
-pub(super) fn drawn_gap(marks: &[Mark], canvas: &Bounds) -> Option<f64> {
+pub(in crate::synth) fn drawn_gap(marks: &[Mark], canvas: &Bounds) -> Option<f64> {
     let width = |mark: &Mark| match mark {
         Mark::Ellipse(_) => None,
         Mark::Line(Line { width, .. }) | Mark::Path(Path { width, .. }) => Some(*width),
