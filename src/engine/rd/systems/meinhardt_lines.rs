@@ -64,7 +64,7 @@ static DEFINITION: Definition = Definition {
     tensors: &[PrincipalAxes::of_unit_width],
     mobilities: meinhardt_spots::mobilities,
     reacting: |_, _, planes| reacting(MeinhardtLines, planes),
-    by_rows: Some(|rows| reacting_by_rows(MeinhardtLines, rows)),
+    by_rows: Some(|rows, _| reacting_by_rows(MeinhardtLines, rows)),
     fineness: None,
     begin: Begin::Waves {
         on_grid: begin,

@@ -188,7 +188,10 @@ impl<'a> BodyGrowth<'a> {
             let marks = concentrations.swap_remove(0);
             return self.next_layer(model, Formed { plan, marks, laid, steps: 0, settled: true });
         }
-        let (system, surface) = (plan.choice.system, plan.surface());
+        let system = plan.choice.system;
+        let irregular = self.document.layers[plan.layer].options.irregular;
+        plan.maps = plan.maps.with_decay_noise(system, irregular, self.document.layer_seed(plan.layer));
+        let surface = plan.surface();
         let operators = Operators::new(system, &surface.mesh, surface.frames(), &plan.maps.parameters);
         let growth = SurfaceGrowth::new(system, &plan.maps, Arc::new(operators), &concentrations);
         let growth = growth.ok_or(LayerError::NoRoom)?;

@@ -156,6 +156,24 @@ fn turings_spots_have_the_area_that_is_asked() {
 }
 
 #[test]
+fn irregular_spots_differ_from_each_other_and_keep_their_mean_area() {
+    let spread = |irregular: f64| {
+        let mut layer = spots(5.0, 19.0);
+        layer.system = crate::document::SystemChoice::Of(System::TURING_SPOTS.description());
+        layer.options.irregular = irregular;
+        let grown = grown(&on("sphere", 140.0, vec![layer]));
+        let error = grown.report("test", 0.0).layers[0].regions[0].error[&Attribute::Area];
+        assert!(error.abs() < 2e-3, "{error}");
+        let areas: Vec<f64> = grown.layers[0].levelled.measured.spots.iter().map(|spot| spot.area).collect();
+        let mean = areas.iter().sum::<f64>() / areas.len() as f64;
+        let squares = areas.iter().map(|area| (area / mean - 1.0) * (area / mean - 1.0)).sum::<f64>();
+        (squares / areas.len() as f64).sqrt()
+    };
+    let [even, uneven] = [0.0, 0.8].map(spread);
+    assert!(even < 0.12 && uneven > even + 0.12, "{even} {uneven}");
+}
+
+#[test]
 fn spots_that_are_drawn_on_the_model_grow_in_their_places_with_their_areas() {
     let at = [[0.0, 0.0, 1.0], [0.5, 0.5, 0.7], [-0.6, 0.3, 0.74]];
     let radii = [5.0, 4.4, 5.5];

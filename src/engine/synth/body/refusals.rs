@@ -55,6 +55,8 @@ fn refused(layer: &Layer, index: usize) -> Option<Problem> {
     let has_paths = layer.on_model.iter().any(|mark| matches!(mark, BodyMark::Path { .. }));
     let is_patches = layer.wanted_system().areas() == Some(AreaKind::Patches);
     let LayerOptions { irregular, ragged, broken, seeding, .. } = layer.options;
+    let takes_noise =
+        layer.wanted_system().system().is_some_and(|system| system.definition().decay_noise.is_some());
     let needs_paths = "a path on the model, from which stripes begin";
     match seeding {
         Seeding::Segments => return at("options.seeding", "\"segments\" on a model", "noise or initiators"),
@@ -62,7 +64,7 @@ fn refused(layer: &Layer, index: usize) -> Option<Problem> {
         Seeding::Initiators | Seeding::Noise => {}
     }
     let options = [
-        ("options.irregular", irregular != 0.0),
+        ("options.irregular", irregular != 0.0 && !takes_noise),
         ("options.ragged", matches!(ragged, RaggedChoice::Given(_)) && !is_patches),
         ("options.broken", broken != 0.0 && layer.after != After::Around),
         ("tone", layer.tone.is_some()),
