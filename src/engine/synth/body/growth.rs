@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::document::{After, Body, Document, DocumentError};
+use crate::document::{After, Body, Document, DocumentError, RaggedChoice};
 use crate::rd::{Operators, SurfaceGrowth};
 use crate::surface::Surface;
 use crate::synth::body::asked::Asked;
@@ -15,6 +15,7 @@ use crate::synth::body::layer::BodyLayer;
 use crate::synth::body::needs;
 use crate::synth::body::placed::Placed;
 use crate::synth::body::plan::{self, BodyPlan};
+use crate::synth::body::ragged::roughened;
 use crate::synth::body::refusals;
 use crate::synth::body::remeshed::Remeshed;
 use crate::synth::body::threshold::Levelled;
@@ -212,7 +213,7 @@ impl<'a> BodyGrowth<'a> {
 
     /// Makes the pattern of what has formed.
     fn level(&self, formed: Formed) -> Result<BodyLayer, LayerError> {
-        let Formed { plan, mut marks, laid, steps, settled } = formed;
+        let Formed { mut plan, mut marks, laid, steps, settled } = formed;
         if marks.iter().any(|mark| !mark.is_finite()) {
             return Err(LayerError::NoPattern);
         }
@@ -222,7 +223,13 @@ impl<'a> BodyGrowth<'a> {
             marks = curves.levelled(plan.surface(), &marks, width);
         }
         let corrects = self.options.refine.unwrap_or(self.document.growth.refine);
-        let levelled = Levelled::new(&plan, &marks, corrects);
+        let mut levelled = Levelled::new(&plan, &marks, corrects);
+        if let (RaggedChoice::Given(sigma), None) =
+            (self.document.layers[plan.layer].options.ragged, plan.choice.areas)
+        {
+            let seed = self.document.layer_seed(plan.layer);
+            levelled = roughened(&mut plan, levelled, sigma, seed, corrects);
+        }
         let measured = &levelled.measured;
         if measured.spots.is_empty() && measured.stripes.iter().all(|stripes| stripes.contour == 0.0) {
             return Err(LayerError::Blank { what: "nothing", advice: LayerError::MARKS });

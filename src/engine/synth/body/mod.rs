@@ -32,6 +32,7 @@ mod noise_maps;
 mod output;
 mod placed;
 mod plan;
+mod ragged;
 mod refusals;
 mod remeshed;
 mod report;

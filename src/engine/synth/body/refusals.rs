@@ -2,7 +2,7 @@
 
 use crate::document::{
     After, AreaKind, Body, BodyMark, Document, DocumentError, Kind, Layer, LayerOptions, MapSource, Problem,
-    RaggedChoice, Seeding, Stroke, SystemChoice,
+    Seeding, Stroke, SystemChoice,
 };
 use crate::synth::body::choice::{grows, systems};
 use crate::synth::drawn::maps;
@@ -53,8 +53,7 @@ fn refused(layer: &Layer, index: usize) -> Option<Problem> {
         return at("strokes", "ellipses and lines in one layer", "marks of one kind in a layer on a model");
     }
     let has_paths = layer.on_model.iter().any(|mark| matches!(mark, BodyMark::Path { .. }));
-    let is_patches = layer.wanted_system().areas() == Some(AreaKind::Patches);
-    let LayerOptions { irregular, ragged, broken, seeding, .. } = layer.options;
+    let LayerOptions { irregular, broken, seeding, .. } = layer.options;
     let takes_noise =
         layer.wanted_system().system().is_some_and(|system| system.definition().decay_noise.is_some());
     let needs_paths = "a path on the model, from which stripes begin";
@@ -65,7 +64,6 @@ fn refused(layer: &Layer, index: usize) -> Option<Problem> {
     }
     let options = [
         ("options.irregular", irregular != 0.0 && !takes_noise),
-        ("options.ragged", matches!(ragged, RaggedChoice::Given(_)) && !is_patches),
         ("options.broken", broken != 0.0 && layer.after != After::Around),
         ("tone", layer.tone.is_some()),
         ("points", layer.points.is_some()),

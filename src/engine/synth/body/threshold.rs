@@ -13,6 +13,7 @@ use crate::synth::pattern::{EDGE, share};
 const RANGE: [f64; 2] = [0.08, 0.92];
 
 /// The marks about each anchor.
+#[derive(Clone)]
 pub struct Measured {
     /// All spots; none of stripes.
     pub spots: Vec<SurfaceSpot>,
