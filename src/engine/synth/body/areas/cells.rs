@@ -10,8 +10,8 @@ use crate::synth::body::plan::BodyPlan;
 
 /// How far a cell is looked at from its point, in distances of the points: the points beside it lie within.
 const REACH: f64 = 1.6;
-/// The length over which the pattern changes at an edge, in widths of the lines: the middle of a line is ground, 0.02.
-const SOFT: f64 = 0.125;
+/// The length over which the pattern changes at an edge, in widths of the lines: in the middle of a line it is 0.03.
+const SOFT: f64 = 0.15;
 /// The radius of corners, in widths of the lines. Lines of the reaction on canvases have about these.
 const ROUND: f64 = 0.35;
 

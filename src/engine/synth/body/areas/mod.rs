@@ -32,9 +32,9 @@ pub enum AreaForm {
 }
 
 /// Vertices across a line between cells, and across the side of a cell.
-const CELLS: [f64; 2] = [4.0, 12.0];
+const CELLS: [f64; 2] = [3.0, 12.0];
 /// Vertices a distance of the points of patches.
-const PATCHES: f64 = 2.5;
+const PATCHES: f64 = 2.0;
 /// D_b/Dₐ of the system by whose law places are laid; it cancels out.
 const RATIO: f64 = 15.0;
 
