@@ -14,7 +14,7 @@ use crate::rd::pairs::HELD;
 use crate::rd::pairs::polygons::{BLURS, TIME, distance, model, size, widest_gap};
 use crate::rd::pairs::work::{Sizes, updates};
 
-/// Cells of the grid per size of the pair: with fewer than 1.5, edges stick to the grid (`facts.md` H).
+/// Cells of the grid per size of the pair: with fewer than 1.5, edges stick to the grid (`facts.md` T).
 const CELLS: f64 = 1.75;
 /// Width of the lines ÷ √area if no two drawn outlines nearly touch: that of a giraffe.
 pub const USUAL: f64 = 0.2;
