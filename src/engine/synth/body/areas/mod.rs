@@ -34,7 +34,7 @@ pub enum AreaForm {
 /// Vertices across a line between cells, and across the side of a cell.
 const CELLS: [f64; 2] = [3.0, 12.0];
 /// Vertices a distance of the points of patches.
-const PATCHES: f64 = 2.0;
+const PATCHES: f64 = 2.5;
 /// D_b/Dₐ of the system by whose law places are laid; it cancels out.
 const RATIO: f64 = 15.0;
 
