@@ -70,8 +70,9 @@ pub fn mtl(mut out: impl Write, parts: &[Coloured], skin: &Skin, roughness: &str
                 SkinPicture::Inside(_) => "",
             };
             let (colours, normals) = (file(skin.base_colour), file(skin.normal));
-            // `norm` and `map_Pr` are those of the PBR extension of the format, which Blender reads and writes; `map_Bump` is older.
-            text += &format!("map_Kd {colours}\nnorm {normals}\nmap_Pr {roughness}\n");
+            // `norm` and `map_Pr` are those of the PBR extension of the format. Blender 5.0 reads `map_Pr`, but normals only as `map_Bump`,
+            // of the strength `-bm`, which is 0 by default; readers that take `map_Bump` for heights prefer `norm`.
+            text += &format!("map_Kd {colours}\nmap_Bump -bm 1 {normals}\nnorm {normals}\nmap_Pr {roughness}\n");
             if skin.transparent {
                 text += &format!("map_d {colours}\n");
             }
@@ -142,6 +143,6 @@ mod tests {
         mtl(&mut bytes, &[plain, rich], &skin, "r.png").unwrap();
         let text = String::from_utf8(bytes).unwrap();
         assert_eq!(text.matches("newmtl").count(), 1);
-        assert!(text.contains("map_Kd c.png\nnorm n.png\nmap_Pr r.png\n"), "{text}");
+        assert!(text.contains("map_Kd c.png\nmap_Bump -bm 1 n.png\nnorm n.png\nmap_Pr r.png\n"), "{text}");
     }
 }
