@@ -37,7 +37,7 @@
 //! | | modules | may import |
 //! |---|---|---|
 //! | base | `grid`, `surface`, `marks`, `attributes` | the base modules before them |
-//! | steps | `sketch`, `measure`, `learn`, `rd`, `points`, `colour`, `export` | base, never each other |
+//! | steps | `sketch`, `measure`, `learn`, `rd`, `points`, `colour`, `export`, `finish` | base, never each other |
 //! | pipeline | `photo`, [`document`], `synth` | base, steps, and the pipeline modules before them; `document` and `photo` do not import each other |
 //! | shell | [`machine`], [`files`], [`editor`] | the three above, and the shell modules before them |
 //! | entry points | `cli`, `app` (features) | everything; nothing imports them |
@@ -77,6 +77,8 @@ pub use dapple_engine as engine;
 #[cfg(feature = "app")]
 use dapple_engine::colour;
 pub use dapple_engine::document;
+#[cfg(feature = "cli")]
+use dapple_engine::finish;
 use dapple_engine::{attributes, export, grid, learn, marks, measure, photo, rd, sketch, synth};
 
 // Shell.

@@ -18,7 +18,7 @@ use crate::synth::render::clip::{self, Clip, ClipError};
 use crate::synth::render::film::Scene;
 use crate::synth::render::morph::{Morph, MorphError};
 use crate::synth::{Options, Watch};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
 /// Arguments of `dapple film`.
@@ -179,8 +179,17 @@ pub fn run(args: &Args) -> Result<(), Error> {
     bar.clear();
     let (prepared, _) = written.map_err(film_error)?;
     prepared.keep().map_err(Error::step)?;
+    if !args.quiet {
+        finish_left_out(&document, &args.file).iter().for_each(|line| super::note(line));
+    }
     args.say_idle(kind);
     Ok(())
+}
+
+/// A note that a film of `document` shows it without its finish.
+fn finish_left_out(document: &Document, file: &Path) -> Option<String> {
+    let kind = document.finish.as_ref()?.finish.kind.name();
+    Some(format!("{}: films show the texture without its finish, {kind}", file.display()))
 }
 
 /// The error of this command for an error of the film.

@@ -3,6 +3,7 @@
 mod batch;
 mod body;
 mod body_picture;
+mod finish;
 mod idle;
 mod look;
 mod material;
@@ -86,6 +87,9 @@ pub struct Args {
     /// Also write the layer whose mark covers each px: 8-bit gray, 0 = none
     #[arg(long, value_name = "L.png")]
     pub labels: Option<PathBuf>,
+    /// Also write the layer whose mark covers each px after the finish: 8-bit gray, 0 = none; without a finish as --labels
+    #[arg(long, value_name = "M.png")]
+    pub mask: Option<PathBuf>,
     /// Also write the concentrations of all chemicals: floating point, one channel each
     #[arg(long, value_name = "C.exr")]
     pub concentrations: Option<PathBuf>,
@@ -152,6 +156,7 @@ impl Args {
             ("--output", self.output.as_ref()),
             ("--pattern", self.pattern.as_ref()),
             ("--labels", self.labels.as_ref()),
+            ("--mask", self.mask.as_ref()),
             ("--concentrations", self.concentrations.as_ref()),
             ("--report", self.report.as_ref()),
             ("--svg", self.outlines.svg.as_ref()),
@@ -229,6 +234,7 @@ fn grow_one(
     outlines::check(args, &document, extent)?;
     let size = extent.size.unwrap_or(document.size).map(|side| side as usize * extent.scale as usize);
     pictures::check(args, size)?;
+    finish::check(args, &document, size)?;
     args.material.check_memory(size[0], document.layers.len(), extent)?;
     args.threads.into_iter().for_each(threads::set_shared);
     let cancelled = super::install();
@@ -276,6 +282,7 @@ fn grow_one(
     }
     if !args.quiet {
         say_notes(&report.report.layers, drawn.as_ref());
+        finish::note(args, &document).iter().for_each(|line| super::note(line));
     }
     Ok(thumbnail.map(|side| Thumbnail::new(&document, &grown, side)))
 }

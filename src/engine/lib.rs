@@ -23,6 +23,7 @@ pub mod attributes;
 // Steps.
 pub mod colour;
 pub mod export;
+pub mod finish;
 pub mod learn;
 pub mod measure;
 pub mod points;

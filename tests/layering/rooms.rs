@@ -7,7 +7,7 @@ use crate::sources::{ENGINE, module, sources};
 /// The base: basic types; each room imports only from the ones before it.
 const BASE: [&str; 4] = ["grid", "surface", "marks", "attributes"];
 /// These rooms import from the base, not from each other.
-const STEPS: [&str; 7] = ["sketch", "measure", "learn", "rd", "points", "colour", "export"];
+const STEPS: [&str; 8] = ["sketch", "measure", "learn", "rd", "points", "colour", "export", "finish"];
 /// The pipeline: these rooms import from base and steps, and each only from the ones before it.
 const PIPELINE: [&str; 3] = ["photo", "document", "synth"];
 /// The rooms of the shell below the entry points. They import from the engine; each only from the ones before it.

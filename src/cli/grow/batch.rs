@@ -94,6 +94,7 @@ fn check(args: &Args) -> Result<&Path, Error> {
     let single = [
         ("--pattern", args.pattern.is_some()),
         ("--labels", args.labels.is_some()),
+        ("--mask", args.mask.is_some()),
         ("--concentrations", args.concentrations.is_some()),
         ("--report", args.report.is_some()),
         ("--svg", args.outlines.svg.is_some()),

@@ -92,6 +92,7 @@ fn check(args: &Args) -> Result<(), Error> {
     let given = [
         ("--pattern", args.pattern.is_some(), FLAT),
         ("--labels", args.labels.is_some(), FLAT),
+        ("--mask", args.mask.is_some(), FLAT),
         ("--layer", args.layer.is_some(), FLAT),
         ("--concentrations", args.concentrations.is_some(), FLAT),
         ("--svg", args.outlines.svg.is_some(), FLAT),

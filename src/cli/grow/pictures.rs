@@ -19,6 +19,7 @@ fn requested(args: &Args) -> impl Iterator<Item = (&Path, Channel)> {
         (args.output.as_deref().filter(|path| !holds_outlines(path) && !holds_model(path)), Channel::Texture),
         (args.pattern.as_deref(), Channel::Pattern(only)),
         (args.labels.as_deref(), Channel::Labels),
+        (args.mask.as_deref(), Channel::Mask),
     ];
     pictures.into_iter().filter_map(|(path, channel)| Some((path?, channel)))
 }

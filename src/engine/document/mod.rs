@@ -19,6 +19,9 @@
 //! | `model.up`, `model.along` | `"y"`, `"x"` |
 //! | `model.pins`, `model.strokes`, `model.only` | none |
 //! | the `region` and `toward` of a pin | [0, 0]; along the axis `along` |
+//! | `finish` | none: the colours alone |
+//! | `finish.size` | by kind: [`crate::finish::Kind::usual_size`] |
+//! | `finish.flow` | across the stripes of the lowest visible layer, otherwise 190 |
 //! | `starred` | none: no other textures are kept |
 //! | a layer's `name` | `layer 1`, `layer 2`, … |
 //! | a layer's `system` | `"auto"` |
@@ -119,6 +122,7 @@ mod dense;
 pub mod embedded;
 mod error;
 mod file;
+mod finish;
 #[doc(hidden)]
 pub mod layer_rules;
 pub mod limits;
@@ -159,6 +163,7 @@ pub use choices::{After, Kind, Over};
 pub use colours::{Colours, Stop};
 pub use embedded::{Extent, in_stream};
 pub use error::{DocumentError, LinkError, Problem};
+pub use finish::{Finishing, FlowChoice};
 pub use line_kind::LineKind;
 pub use maps::{LayerMap, LayerMaps, MapChange, MapKey, MapSource};
 pub use option_key::OptionKey;
@@ -196,6 +201,8 @@ pub struct Document {
     pub model: Option<Body>,
     /// The surface of which the canvas is the flat map; `None` = the canvas itself, or the model.
     pub parametric: Option<ParametricSurface>,
+    /// The material that the texture is made of; `None` = the colours alone.
+    pub finish: Option<Finishing>,
     /// The layers, the lowest first; at least one.
     pub layers: Vec<Layer>,
     /// Other textures for the same sketch, or an earlier one, that were kept; they grow nothing.
@@ -215,6 +222,7 @@ impl Default for Document {
             growth: Growth::default(),
             model: None,
             parametric: None,
+            finish: None,
             layers: Vec::new(),
             starred: Vec::new(),
         }

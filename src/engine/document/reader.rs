@@ -1,6 +1,7 @@
 //! A JSON value → a checked document, key by key.
 
 use crate::document::body;
+use crate::document::finish;
 use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::limits;
 use crate::document::limits::Range;
@@ -21,8 +22,8 @@ pub(super) const EDGES: [(&str, Edges); 2] = [("closed", Edges::Closed), ("wrap"
 /// The document that `root`, of the newest version, holds.
 pub(super) fn document(root: &Node) -> Result<Document, Problem> {
     root.keys(&[
-        "format", "version", "name", "size", "regions", "edges", "seed", "dpi", "growth", "model", "layers",
-        "starred",
+        "format", "version", "name", "size", "regions", "edges", "seed", "dpi", "growth", "model", "finish",
+        "layers", "starred",
     ])?;
     let default = Document::default();
     let size = root.need("size", "[width, height] in px")?.counts([limits::MAX_SIDE; 2])?;
@@ -32,6 +33,9 @@ pub(super) fn document(root: &Node) -> Result<Document, Problem> {
     let parametric = node.as_ref().map_or(Ok(None), parametric::read)?;
     let body = node.filter(|_| parametric.is_none());
     let model = body.map(|node| body::read(&node, regions.unwrap_or([1, 1]))).transpose()?;
+    let (layers, hair) = layers(&root.need("layers", "a list of layers")?, size, model.as_ref())?;
+    let finish = root.get("finish").map(|node| finish::read(&node)).transpose()?;
+    let on_model = model.is_some() || parametric.is_some();
     Ok(Document {
         name: name(root)?.unwrap_or(default.name),
         size,
@@ -40,7 +44,8 @@ pub(super) fn document(root: &Node) -> Result<Document, Problem> {
         seed: seed(root)?.unwrap_or(default.seed),
         dpi: root.get("dpi").map_or(Ok(default.dpi), |node| node.number(&limits::DPI))?,
         growth: root.get("growth").map_or(Ok(default.growth), |node| growth(&node))?,
-        layers: layers(&root.need("layers", "a list of layers")?, size, model.as_ref())?,
+        finish: finish::combined(finish, hair, on_model)?,
+        layers,
         model,
         parametric,
         starred: root.get("starred").map_or(Ok(Vec::new()), |node| starred(&node))?,
@@ -83,15 +88,23 @@ fn growth(node: &Node) -> Result<Growth, Problem> {
     Ok(Growth { refine })
 }
 
-fn layers(node: &Node, size: [u32; 2], model: Option<&Body>) -> Result<Vec<Layer>, Problem> {
+/// The layers, and the place and the strokes of that of hair.
+type Layers = (Vec<Layer>, Option<(String, Vec<Stroke>)>);
+
+fn layers(node: &Node, size: [u32; 2], model: Option<&Body>) -> Result<Layers, Problem> {
     let allowed = format!("a list of 1 to {} layers", limits::MAX_LAYERS);
-    let layers = node.items(&allowed)?.enumerate();
-    let layers: Vec<Layer> =
-        layers.map(|(i, node)| layer(&node, i, size, model)).collect::<Result<_, _>>()?;
+    let (mut layers, mut hair) = (Vec::new(), None);
+    for node in node.items(&allowed)? {
+        if !finish::is_hair(&node) {
+            layers.push(layer(&node, layers.len(), size, model)?);
+        } else if hair.replace((node.place(), finish::hair(&node, size)?)).is_some() {
+            return Err(node.found("a second layer of hair", "one"));
+        }
+    }
     match layers.len() {
         0 => Err(node.found("no layers", allowed)),
         n if n > limits::MAX_LAYERS => Err(node.found(format!("{n} layers"), allowed)),
-        _ => Ok(layers),
+        _ => Ok((layers, hair)),
     }
 }
 

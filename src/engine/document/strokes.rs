@@ -37,6 +37,11 @@ pub(super) fn strokes(
     }
 }
 
+/// The strokes of a list on a canvas of `size` px.
+pub(super) fn on_canvas_of(node: &Node, size: [u32; 2]) -> Result<Vec<Stroke>, Problem> {
+    node.items("a list of strokes")?.map(|item| stroke(&item, size)).collect()
+}
+
 fn stroke(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
     let kinds: [(&str, Reader); 5] =
         [("ellipse", ellipse), ("line", line), ("path", path), ("freehand", freehand), ("outline", outline)];

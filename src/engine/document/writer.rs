@@ -2,9 +2,9 @@
 
 use crate::document::node::number;
 use crate::document::{
-    Body, BodyEllipse, BodyMark, BodySource, Colours, Document, Interpolation, Labels, Layer, LayerMap,
-    MapSource, ParametricSurface, Pin, Points, Progression, Starred, Stroke, Tone, Towards, choices, migrate,
-    option_key, reader,
+    Body, BodyEllipse, BodyMark, BodySource, Colours, Document, FlowChoice, Interpolation, Labels, Layer,
+    LayerMap, MapSource, ParametricSurface, Pin, Points, Progression, Starred, Stroke, Tone, Towards,
+    choices, finish, migrate, option_key, reader,
 };
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -33,7 +33,10 @@ pub(super) fn value(document: &Document) -> Value {
     if let Some(surface) = &document.parametric {
         map.insert("model".into(), parametric(surface));
     }
-    map.insert("layers".into(), document.layers.iter().map(layer).collect());
+    if let Some(finishing) = &document.finish {
+        map.insert("finish".into(), finish::written(finishing));
+    }
+    map.insert("layers".into(), document.layers.iter().map(layer).chain(hair(document)).collect());
     if !document.starred.is_empty() {
         let one = |starred: &Starred| json!({"name": starred.name, "document": inner(&starred.document)});
         map.insert("starred".into(), document.starred.iter().map(one).collect());
@@ -56,6 +59,12 @@ fn parametric(surface: &ParametricSurface) -> Value {
         ParametricSurface::Heights(relief) => json!({"height": relief.path, "scale": number(relief.scale)}),
         ParametricSurface::Torus => json!({"surface": surface.name()}),
     }
+}
+
+/// The layer of hair, if there is one.
+fn hair(document: &Document) -> Option<Value> {
+    let FlowChoice::Strokes(strokes) = &document.finish.as_ref()?.flow else { return None };
+    Some(json!({"system": finish::HAIR, "strokes": strokes.iter().map(stroke).collect::<Vec<_>>()}))
 }
 
 fn layer(layer: &Layer) -> Value {

@@ -108,8 +108,8 @@ impl Reason {
     }
 }
 
-/// Values that span less than this share of the usual range are no pattern: dead or fading ones were measured below it (`facts.md`
-/// 10).
+/// Values that span less than this share of the usual range are no pattern: dead or fading ones were measured below it (`facts.md` 1,
+/// rule 10).
 const LEAST_RANGE: f32 = 0.1;
 /// Values farther out than this multiple of the usual span have diverged. Settled marks were measured within a tenth of it;
 /// Turing's spots of 2 cells, next to a dead cell, were at 2.2 times beyond it.

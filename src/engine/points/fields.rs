@@ -14,6 +14,7 @@ use rand_pcg::Pcg64Mcg;
 use super::delaunay::Delaunay;
 use super::discs::{POINTS_A_SQUARE, poisson_discs};
 use super::extent::Extent;
+use super::graph::PointGraph;
 use super::interpolation::{NOBODY, Orientation, Weights, highest_weight, interpolate};
 use super::labels::{
     self, Claim, Order, bordered, by_reference, clusters, connected, groups, round_robin, space_giraffe,
@@ -184,7 +185,7 @@ impl PointField<'_> {
     }
 
     fn clustered(&self, graph: &Delaunay, size: usize, order: Order, rng: &mut Pcg64Mcg) -> Vec<bool> {
-        let owner = clusters(graph, |_| size, order, rng);
+        let owner = clusters(graph, size, order, rng);
         owner.into_iter().map(|owner| owner.is_some()).collect()
     }
 
@@ -244,9 +245,14 @@ impl Claim for Nearest {
 }
 
 /// Whether each point is dark, for clusters of about `size` points that claim points in turn.
-fn round_robin_labels(graph: &Delaunay, size: usize, rings: usize, rng: &mut Pcg64Mcg) -> Vec<bool> {
-    let count = (graph.points.len() / size.max(1)).max(1).min(graph.points.len());
-    let mut points: Vec<usize> = (0..graph.points.len()).collect();
+pub fn round_robin_labels(
+    graph: &impl PointGraph,
+    size: usize,
+    rings: usize,
+    rng: &mut Pcg64Mcg,
+) -> Vec<bool> {
+    let count = (graph.count() / size.max(1)).max(1).min(graph.count());
+    let mut points: Vec<usize> = (0..graph.count()).collect();
     labels::shuffle(&mut points, rng);
     let (owner, _) = round_robin(graph, &points[..count], &[], &Nearest);
     bordered(graph, &owner, rings)

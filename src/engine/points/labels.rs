@@ -11,9 +11,9 @@ use rand::{Rng, RngExt};
 
 use crate::grid::Field;
 
-pub(super) use clusters::shuffle;
+pub(crate) use clusters::shuffle;
 pub use clusters::{Order, clusters};
-pub use connected::{connected, net};
+pub use connected::{connected, net, net_along, ringed};
 pub use groups::groups;
 pub use round_robin::{Claim, bordered, round_robin};
 pub use space_giraffe::space_giraffe;
@@ -40,7 +40,7 @@ pub fn by_reference(points: &[[f64; 2]], reference: &Field, rng: &mut impl Rng) 
 }
 
 /// A standard normal number, by Box and Muller.
-pub(super) fn normal(rng: &mut impl Rng) -> f64 {
+pub(crate) fn normal(rng: &mut impl Rng) -> f64 {
     // 1 − u is never 0.
     let radius = (-2.0 * libm::log(1.0 - rng.random::<f64>())).sqrt();
     radius * libm::cos(std::f64::consts::TAU * rng.random::<f64>())

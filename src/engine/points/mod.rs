@@ -40,6 +40,7 @@ pub mod delaunay;
 pub mod discs;
 pub mod extent;
 pub mod fields;
+pub mod graph;
 pub mod interpolation;
 pub mod labels;
 pub mod level;

@@ -30,6 +30,7 @@ use super::centers::{self, Effort, Pitch};
 use super::delaunay::Delaunay;
 use super::discs::{Laying, POINTS_A_SQUARE, poisson_discs};
 use super::extent::Extent;
+use super::graph::PointGraph;
 use super::interpolation::{Interpolator, Weights, interpolate};
 use super::labels::{Claim, round_robin};
 use super::level::{level_of_share, relevel};
@@ -38,13 +39,15 @@ use super::ways::ways;
 use crate::attributes::Spread;
 use crate::grid::{Field, Grid};
 pub use description::PATCHES;
+pub use fringe::fringe;
 pub use growing::PatchGrowth;
 use kept::is_beside;
 pub use kept::slope;
 use laws::Shape;
-use mending::Labelled;
+pub use mending::Labelled;
 pub use outline::Outline;
 pub use outlines::Outlines;
+pub use variation::varied;
 
 /// The wanted properties of the patches around a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -161,7 +164,7 @@ impl Patches<'_> {
         let begun: Vec<[f64; 2]> = laid.iter().copied().chain(self.kept_centers(extent, frame)).collect();
         let detailed = poisson_discs(extent, frame, &coarse, &begun, rng);
         let graph = Delaunay::new(&poisson_discs(extent, frame, &fine, &detailed, rng), *extent);
-        let noise = fringe::fringe(&graph, detailed.len(), rng);
+        let noise = fringe(&graph, detailed.len(), rng);
         (graph, noise)
     }
 
@@ -186,13 +189,8 @@ impl Patches<'_> {
         if wanted.iter().all(|wanted| wanted.spread.is_zero()) {
             return wanted;
         }
-        let mut room = vec![0.0; patches];
         let kept = self.kept_centers(&graph.extent, reach(&graph.extent, self.wanted)).len();
-        for (point, from) in ways(graph, 0..patches + kept, |_| true).from.into_iter().enumerate() {
-            if let Some(room) = room.get_mut(from as usize) {
-                *room += graph.area(point);
-            }
-        }
+        let room = room(graph, patches, kept);
         // The patches on the canvas are varied separately: at the end of the frame the room of a patch is not measured correctly.
         let (on_canvas, beyond): (Vec<usize>, Vec<usize>) =
             (0..patches).partition(|patch| graph.extent.contains(graph.points[*patch]));
@@ -200,14 +198,14 @@ impl Patches<'_> {
         for group in [on_canvas, beyond] {
             let own: Vec<Wanted> = group.iter().map(|patch| wanted[*patch]).collect();
             let room: Vec<f64> = group.iter().map(|patch| room[*patch]).collect();
-            let varied = variation::varied(&own, &room, self.detail, rng);
+            let varied = varied(&own, &room, self.detail, rng);
             group.into_iter().zip(varied).for_each(|(patch, varied)| asked[patch] = varied);
         }
         asked
     }
 
     /// Owner and value of each point; the first `patches` points are centres.
-    fn labelled(graph: &Delaunay, taken: &[bool], patches: usize, rules: &Rules) -> Labelled {
+    fn labelled(graph: &impl PointGraph, taken: &[bool], patches: usize, rules: &Rules) -> Labelled {
         let centers: Vec<usize> = (0..patches).collect();
         let (mut owner, _) = round_robin(graph, &centers, taken, rules);
         mending::fill(graph, &mut owner, taken, CLEARANCE);
@@ -242,8 +240,7 @@ impl Patches<'_> {
     fn weights(&self) -> Weights<'static> {
         let extent = Extent::from(self.grid.bounds_px());
         let most_ragged = centers::largest(&extent, self.wanted, |wanted| wanted.raggedness);
-        let length = if most_ragged < SMOOTH { Self::SMOOTH_LENGTH } else { Self::LENGTH };
-        Weights { length, ..Weights::default() }
+        Weights { length: axis_length(most_ragged), ..Weights::default() }
     }
 
     /// The cost of laying the centres and the points.
@@ -279,6 +276,41 @@ impl Patches<'_> {
         let points = points(&wanted).clamp(Self::LEAST_DETAIL, Self::MOST_DETAIL);
         (POINTS_A_SQUARE * wanted.area / points).sqrt()
     }
+}
+
+/// The area around each of the first `patches` points of a graph, px², along which no other of them is nearer, and none of the next
+/// `others` points.
+#[must_use]
+pub fn room(graph: &impl PointGraph, patches: usize, others: usize) -> Vec<f64> {
+    let mut room = vec![0.0; patches];
+    for (point, from) in ways(graph, 0..patches + others, |_| true).from.into_iter().enumerate() {
+        if let Some(room) = room.get_mut(from as usize) {
+            *room += graph.area(point);
+        }
+    }
+    room
+}
+
+/// The owners and the values of the points of a graph, at the first of which the patches begin that are `asked` for, with `detail`
+/// points in each. `noise` holds the [`fringe`] of each point. `taken` points are not claimed.
+#[must_use]
+pub fn claimed(
+    graph: &impl PointGraph,
+    asked: &[Wanted],
+    detail: f64,
+    noise: Vec<f64>,
+    taken: &[bool],
+) -> Labelled {
+    let rules = Rules::new(asked, &|wanted| wanted.shape(detail), noise);
+    let mut labelled = Patches::labelled(graph, taken, asked.len(), &rules);
+    labelled.part(graph, CLEARANCE);
+    labelled
+}
+
+/// The length of the axes, in edges, for patches of this raggedness.
+#[must_use]
+pub fn axis_length(raggedness: f64) -> f64 {
+    if raggedness < SMOOTH { Patches::SMOOTH_LENGTH } else { Patches::LENGTH }
 }
 
 /// The field clipped to 0..1: points between patches have negative values.

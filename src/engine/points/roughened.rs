@@ -31,7 +31,7 @@ use crate::grid::{Field, Grid};
 use parts::Parts;
 
 /// Radius of the discs of the noise, in radii of the marks: half of the wavelength.
-const SCALE: f64 = 0.7;
+pub const SCALE: f64 = 0.7;
 /// Weights of the octaves, each with half the radius of the previous one. One octave makes lobes; a third one makes no visible
 /// difference.
 const OCTAVES: [f32; 2] = [1.0, 0.5];
@@ -119,7 +119,8 @@ const MODES: usize = 5;
 const COMPACT: f64 = 6.0;
 
 /// 1, cos θ, sin θ, cos 2θ and sin 2θ, where θ is the direction of a displacement.
-fn modes([x, y]: [f64; 2]) -> SVector<f64, MODES> {
+#[must_use]
+pub fn modes([x, y]: [f64; 2]) -> SVector<f64, MODES> {
     let length = libm::hypot(x, y);
     if length == 0.0 {
         return SVector::from([1.0, 0.0, 0.0, 0.0, 0.0]);
@@ -130,13 +131,17 @@ fn modes([x, y]: [f64; 2]) -> SVector<f64, MODES> {
 
 /// The weighted sums of the least-squares fit of a mark.
 #[derive(Clone, Copy, Default)]
-struct Sums {
-    square: SMatrix<f64, MODES, MODES>,
-    product: SVector<f64, MODES>,
+pub struct Sums {
+    /// Σ w·m·mᵀ over the modes m.
+    pub square: SMatrix<f64, MODES, MODES>,
+    /// Σ w·n·m over the noise n.
+    pub product: SVector<f64, MODES>,
 }
 
 impl Sums {
-    fn solved(&self, compact: bool) -> SVector<f64, MODES> {
+    /// The coefficients of the modes; of marks that are not `compact` only the mean.
+    #[must_use]
+    pub fn solved(&self, compact: bool) -> SVector<f64, MODES> {
         let mean = || {
             let total = self.square[(0, 0)];
             let mean = if total > 0.0 { self.product[0] / total } else { 0.0 };

@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use super::delaunay::Delaunay;
+use super::graph::PointGraph;
 
 /// The shortest path to each point.
 pub struct Ways {
@@ -14,8 +14,12 @@ pub struct Ways {
 }
 
 /// The shortest paths along the edges of `graph` from the nearest of `starts`, only through points that are `open`.
-pub fn ways(graph: &Delaunay, starts: impl IntoIterator<Item = usize>, open: impl Fn(usize) -> bool) -> Ways {
-    let mut from: Vec<u32> = (0..graph.points.len() as u32).collect();
+pub fn ways(
+    graph: &impl PointGraph,
+    starts: impl IntoIterator<Item = usize>,
+    open: impl Fn(usize) -> bool,
+) -> Ways {
+    let mut from: Vec<u32> = (0..graph.count() as u32).collect();
     let mut length = vec![f64::INFINITY; from.len()];
     let mut queue = BinaryHeap::new();
     for point in starts.into_iter().filter(|point| open(*point)) {
@@ -46,6 +50,7 @@ pub fn ways(graph: &Delaunay, starts: impl IntoIterator<Item = usize>, open: imp
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::points::delaunay::Delaunay;
     use crate::points::extent::Extent;
 
     #[test]

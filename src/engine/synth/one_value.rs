@@ -37,7 +37,7 @@ pub fn note_on_layer(layer: &GrownLayer) -> Option<String> {
 /// A note that the picture of `document` has a single colour, with what to change; `None` if it has several.
 #[must_use]
 pub fn note_on_picture(document: &Document, grown: &Grown) -> Option<String> {
-    let painting = Painting::new(document, grown, 1);
+    let painting = Painting::new(document, grown, 1).unfinished();
     let height = painting.size[1];
     let mut colour = None;
     for first in (0..height).step_by(ROWS) {

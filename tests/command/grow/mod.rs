@@ -8,6 +8,7 @@ mod bytes;
 mod cells;
 mod extremes;
 mod far_marks;
+mod finish;
 pub(crate) mod folder;
 mod free;
 mod heights;

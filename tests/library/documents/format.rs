@@ -95,7 +95,7 @@ fn on_model() -> Value {
 }
 
 /// Each object of a document: its heading, its place, and a document that holds it with only the required keys.
-fn objects() -> [(&'static str, &'static str, Value); 22] {
+fn objects() -> [(&'static str, &'static str, Value); 23] {
     let line = json!({"kind": "line", "from": [10, 10], "to": [90, 60]});
     let path = json!({"kind": "path", "points": [[10, 10], [40, 20], [80, 14]]});
     let freehand = json!({"kind": "freehand", "points": [[10, 10], [40, 12], [80, 14]]});
@@ -109,6 +109,7 @@ fn objects() -> [(&'static str, &'static str, Value); 22] {
         ("Pin", "/model/pins/0", on_model()),
         ("Ellipse on the model", "/layers/0/strokes/1", on_model()),
         ("Growth", "/growth", with("/growth", json!({}))),
+        ("Finish", "/finish", with("/finish", json!({"kind": "fur"}))),
         ("Layer", "/layers/0", least()),
         ("Ellipse", "/layers/0/strokes/0", with_stroke(&ellipse)),
         ("Line", "/layers/0/strokes/0", with_stroke(&line)),

@@ -9,7 +9,7 @@ mod surface;
 
 pub use normal::{Green, encoded, normals};
 pub use occlusion::openness;
-pub use surface::{Surface, shares};
+pub use surface::{Surface, share_of, shares};
 
 use crate::grid::{Edges, Field};
 

@@ -71,9 +71,14 @@ impl Surface {
     /// `height` as a picture value: 0 = the lowest possible, 1 = the highest possible; ½ if the surface is flat.
     #[must_use]
     pub fn normalised(&self, height: f32, layers: usize) -> f32 {
-        let [low, high] = self.range(layers);
-        if high > low { ((f64::from(height) - low) / (high - low)) as f32 } else { 0.5 }
+        share_of(height, self.range(layers))
     }
+}
+
+/// `height` as a picture value: 0 = `low`, 1 = `high`; ½ if these are equal.
+#[must_use]
+pub fn share_of(height: f32, [low, high]: [f64; 2]) -> f32 {
+    if high > low { ((f64::from(height) - low) / (high - low)) as f32 } else { 0.5 }
 }
 
 fn by_layer(values: &[f64], layer: usize) -> f64 {

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use rand::{Rng, RngExt};
 
-use crate::points::delaunay::Delaunay;
+use crate::points::graph::PointGraph;
 
 /// The order in which a cluster takes points.
 #[derive(Clone, Copy)]
@@ -17,22 +17,16 @@ pub enum Order {
 
 /// The cluster of each point, `None` for light ones. A cluster has `size` points, or fewer if no more are free; then all their free
 /// neighbours are light (figure 21).
-pub fn clusters(
-    graph: &Delaunay,
-    size: impl Fn([f64; 2]) -> usize,
-    order: Order,
-    rng: &mut impl Rng,
-) -> Vec<Option<u32>> {
-    let mut state = vec![State::Free; graph.points.len()];
-    let mut starts: Vec<usize> = (0..graph.points.len()).collect();
+pub fn clusters(graph: &impl PointGraph, size: usize, order: Order, rng: &mut impl Rng) -> Vec<Option<u32>> {
+    let mut state = vec![State::Free; graph.count()];
+    let mut starts: Vec<usize> = (0..graph.count()).collect();
     shuffle(&mut starts, rng);
     let mut cluster = 0;
     for start in starts {
         if state[start] != State::Free {
             continue;
         }
-        let size = size(graph.points[start]).max(1);
-        let taken = grow(graph, &mut state, start, cluster, size, order, rng);
+        let taken = grow(graph, &mut state, start, cluster, size.max(1), order, rng);
         for point in taken {
             for other in graph.neighbours(point) {
                 if state[other] == State::Free {
@@ -54,7 +48,7 @@ enum State {
 }
 
 fn grow(
-    graph: &Delaunay,
+    graph: &impl PointGraph,
     state: &mut [State],
     start: usize,
     cluster: u32,

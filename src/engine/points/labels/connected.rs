@@ -6,6 +6,7 @@ use std::collections::BinaryHeap;
 use rand::{Rng, RngExt};
 
 use crate::points::delaunay::Delaunay;
+use crate::points::graph::PointGraph;
 
 /// Whether each point is in the connected group: the points drawn with the probability `start`, all points on the shortest paths
 /// along the graph between neighbouring drawn points, and `rings` rings of neighbours round these.
@@ -13,7 +14,13 @@ use crate::points::delaunay::Delaunay;
 /// A start of 3–4 % gives a cracked net, with a third to a half of the points in it; from 40 % on nearly every point is in it.
 pub fn connected(graph: &Delaunay, start: f64, rings: usize, rng: &mut impl Rng) -> Vec<bool> {
     let ends: Vec<usize> = (0..graph.points.len()).filter(|_| rng.random::<f64>() < start).collect();
-    let mut joined = net(graph, &ends, f64::NEG_INFINITY);
+    let joined = net(graph, &ends, f64::NEG_INFINITY);
+    ringed(graph, joined, rings)
+}
+
+/// The points that are `joined`, with so many rings of their neighbours.
+#[must_use]
+pub fn ringed(graph: &impl PointGraph, mut joined: Vec<bool>, rings: usize) -> Vec<bool> {
     for _ in 0..rings {
         let before = joined.clone();
         let ringed = |point: usize| before[point] || graph.neighbours(point).any(|other| before[other]);
@@ -27,12 +34,22 @@ pub fn connected(graph: &Delaunay, start: f64, rings: usize, rng: &mut impl Rng)
 /// finite, paths use only edges of a clearance of at least 0.2, so that they are connected in the interpolated field too.
 #[must_use]
 pub fn net(graph: &Delaunay, ends: &[usize], clearance: f64) -> Vec<bool> {
-    let mut joined = vec![false; graph.points.len()];
-    ends.iter().for_each(|point| joined[*point] = true);
     let places: Vec<[f64; 2]> = ends.iter().map(|point| graph.points[*point]).collect();
-    let sparse = Delaunay::new(&places, graph.extent);
+    net_along(graph, ends, &Delaunay::new(&places, graph.extent), clearance)
+}
+
+/// The [`net`] between the `ends` that are neighbours in their own graph, `sparse`.
+#[must_use]
+pub fn net_along(
+    graph: &impl PointGraph,
+    ends: &[usize],
+    sparse: &impl PointGraph,
+    clearance: f64,
+) -> Vec<bool> {
+    let mut joined = vec![false; graph.count()];
+    ends.iter().for_each(|point| joined[*point] = true);
     let least = if clearance > f64::NEG_INFINITY { WIDE } else { clearance };
-    let mut search = Search::new(graph.points.len(), least);
+    let mut search = Search::new(graph.count(), least);
     for (index, from) in ends.iter().enumerate() {
         for axis in sparse.axes(index).iter().filter(|axis| axis.clearance >= clearance) {
             let Some(to) = axis.to.map(|to| to as usize).filter(|to| *to > index) else { continue };
@@ -70,7 +87,14 @@ impl Search {
         }
     }
 
-    fn path(&mut self, graph: &Delaunay, from: usize, to: usize, limit: f64, mut each: impl FnMut(usize)) {
+    fn path(
+        &mut self,
+        graph: &impl PointGraph,
+        from: usize,
+        to: usize,
+        limit: f64,
+        mut each: impl FnMut(usize),
+    ) {
         let mut open = BinaryHeap::from([(Reverse(0u64), from)]);
         self.reach(from, 0.0, from);
         let least = self.least;

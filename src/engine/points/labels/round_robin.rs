@@ -3,11 +3,11 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use crate::points::delaunay::Delaunay;
+use crate::points::graph::PointGraph;
 
 /// The rules of [`round_robin`].
 pub trait Claim {
-    /// The cost, positive, at which a cluster claims a point at `displacement`, px, from its centre. The cluster claims the
+    /// The cost, positive, at which a cluster claims a point at `displacement`, px, from its centre, in the frame there. The cluster claims the
     /// cheapest point. `None` if it must not claim the point.
     fn cost(&self, cluster: usize, point: usize, displacement: [f64; 2]) -> Option<f64>;
 
@@ -34,12 +34,12 @@ struct Front {
 /// The cluster of each claimed point, and the area claimed by each cluster, px². `centers` are indices of points. `taken` points
 /// are not claimed; if clusters are to stay apart, they keep a distance from these points too.
 pub fn round_robin(
-    graph: &Delaunay,
+    graph: &impl PointGraph,
     centers: &[usize],
     taken: &[bool],
     claim: &impl Claim,
 ) -> (Vec<Option<u32>>, Vec<f64>) {
-    let mut owner: Vec<Option<u32>> = vec![None; graph.points.len()];
+    let mut owner: Vec<Option<u32>> = vec![None; graph.count()];
     let is_taken = |point: usize| taken.get(point).copied().unwrap_or(false);
     let mut fronts: Vec<Front> = centers.iter().map(|_| Front::default()).collect();
     for (cluster, center) in centers.iter().enumerate() {
@@ -69,12 +69,8 @@ pub fn round_robin(
             let least = claim.clearance().unwrap_or(f64::NEG_INFINITY);
             for axis in graph.axes(point).iter().filter(|axis| axis.clearance >= least) {
                 if let Some(to) = axis.to.filter(|to| owner[*to as usize].is_none()) {
-                    front.offer(
-                        claim,
-                        cluster,
-                        to as usize,
-                        [displacement[0] + axis.displacement[0], displacement[1] + axis.displacement[1]],
-                    );
+                    let there = graph.onward(centers[cluster], point, displacement, axis);
+                    front.offer(claim, cluster, to as usize, there);
                 }
             }
         }
@@ -105,7 +101,7 @@ impl Front {
 /// Whether each point is inside its cluster: it and all its neighbours have the same owner. The other points, and `rings` rings of
 /// their neighbours, are border (the paper: one ring for thick borders).
 #[must_use]
-pub fn bordered(graph: &Delaunay, owner: &[Option<u32>], rings: usize) -> Vec<bool> {
+pub fn bordered(graph: &impl PointGraph, owner: &[Option<u32>], rings: usize) -> Vec<bool> {
     let inside = |point: usize| graph.neighbours(point).all(|other| owner[other] == owner[point]);
     let mut dark: Vec<bool> = (0..owner.len()).map(|point| owner[point].is_some() && inside(point)).collect();
     for _ in 0..rings {

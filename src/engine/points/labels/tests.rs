@@ -62,7 +62,7 @@ fn a_reference_picture_gives_its_own_light_and_dark() {
 fn clusters_have_their_size_and_light_points_between_them() {
     let graph = graph(4.0, 3);
     for order in [Order::BreadthFirst, Order::DepthFirst] {
-        let owner = clusters(&graph, |_| 12, order, &mut Pcg64Mcg::seed_from_u64(4));
+        let owner = clusters(&graph, 12, order, &mut Pcg64Mcg::seed_from_u64(4));
         for point in (0..owner.len()).filter(|point| owner[*point].is_some()) {
             assert!(
                 graph.neighbours(point).all(|other| owner[other].is_none() || owner[other] == owner[point])
@@ -108,7 +108,7 @@ fn shape(graph: &Delaunay, owner: &[Option<u32>], least: usize) -> (f64, f64) {
 fn breadth_first_is_compact_and_depth_first_is_not() {
     let graph = graph(3.0, 5);
     fn shape_of(graph: &Delaunay, order: Order) -> (f64, f64) {
-        let owner = clusters(graph, |_| 20, order, &mut Pcg64Mcg::seed_from_u64(6));
+        let owner = clusters(graph, 20, order, &mut Pcg64Mcg::seed_from_u64(6));
         shape(graph, &owner, 20)
     }
     let (compact, _) = shape_of(&graph, Order::BreadthFirst);

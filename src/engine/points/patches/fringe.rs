@@ -2,7 +2,7 @@
 
 use rand::Rng;
 
-use crate::points::delaunay::Delaunay;
+use crate::points::graph::PointGraph;
 use crate::points::labels::normal;
 use crate::points::ways::ways;
 
@@ -12,8 +12,8 @@ const COMMON: [f64; 2] = [0.8, 0.6];
 
 /// Standard normal noise of each point of `graph`. The first `coarse` points are as far apart as the wanted detail; the other
 /// points share most of their noise with the nearest of these along the graph.
-pub fn fringe(graph: &Delaunay, coarse: usize, rng: &mut impl Rng) -> Vec<f64> {
-    let own: Vec<f64> = graph.points.iter().map(|_| normal(rng)).collect();
+pub fn fringe(graph: &impl PointGraph, coarse: usize, rng: &mut impl Rng) -> Vec<f64> {
+    let own: Vec<f64> = (0..graph.count()).map(|_| normal(rng)).collect();
     let nearest = ways(graph, 0..coarse, |_| true).from;
     let mixed = |point: usize| {
         let of = nearest[point] as usize;
@@ -25,6 +25,7 @@ pub fn fringe(graph: &Delaunay, coarse: usize, rng: &mut impl Rng) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::points::delaunay::Delaunay;
     use crate::points::extent::Extent;
     use rand::SeedableRng;
     use rand_pcg::Pcg64Mcg;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::grid::{Domain, Edges, Field, UnionFind};
 use crate::points::delaunay::Delaunay;
+use crate::points::graph::PointGraph;
 
 /// The owners and the values of the points.
 pub struct Labelled {
@@ -26,7 +27,7 @@ const HOLE: f64 = 0.2;
 
 /// Assigns light points that one patch encloses to this patch: they would be pinholes. Light points joined by edges of at least the
 /// clearance `least` are one hole. Holes with a `taken` point, and holes that reach beyond all points, stay.
-pub fn fill(graph: &Delaunay, owner: &mut [Option<u32>], taken: &[bool], least: f64) {
+pub fn fill(graph: &impl PointGraph, owner: &mut [Option<u32>], taken: &[bool], least: f64) {
     let mut areas: BTreeMap<u32, f64> = BTreeMap::new();
     for (point, owner) in owner.iter().enumerate() {
         if let Some(patch) = owner {
@@ -48,7 +49,7 @@ pub fn fill(graph: &Delaunay, owner: &mut [Option<u32>], taken: &[bool], least: 
 }
 
 /// The points not yet `seen` that edges of at least the clearance `least` join with `start`.
-fn hole_from(graph: &Delaunay, start: usize, seen: &mut [bool], least: f64) -> Vec<usize> {
+fn hole_from(graph: &impl PointGraph, start: usize, seen: &mut [bool], least: f64) -> Vec<usize> {
     let mut hole = vec![start];
     seen[start] = true;
     let mut next = 0;
@@ -66,7 +67,7 @@ fn hole_from(graph: &Delaunay, start: usize, seen: &mut [bool], least: f64) -> V
 
 /// The only patch among the owners of the points beside a hole; `None` if there is none or
 /// more than one, or if a point of the hole is taken.
-fn enclosing(graph: &Delaunay, hole: &[usize], owner: &[Option<u32>], taken: &[bool]) -> Option<u32> {
+fn enclosing(graph: &impl PointGraph, hole: &[usize], owner: &[Option<u32>], taken: &[bool]) -> Option<u32> {
     let mut found = None;
     for &point in hole {
         if taken[point] {
@@ -85,7 +86,7 @@ fn enclosing(graph: &Delaunay, hole: &[usize], owner: &[Option<u32>], taken: &[b
 
 impl Labelled {
     /// Gives the value [`BETWEEN`] to light points beside two patches.
-    pub fn part(&mut self, graph: &Delaunay, least: f64) {
+    pub fn part(&mut self, graph: &impl PointGraph, least: f64) {
         for point in self.light() {
             if between(graph, &self.owner, point, least, |one, other| one != other) {
                 self.values[point] = BETWEEN;
@@ -198,7 +199,7 @@ const MARGIN: f32 = 0.03;
 /// Whether two patches that fulfil the condition `two` both lie beside a point, or opposite to it across an edge of less clearance
 /// than `least`.
 fn between(
-    graph: &Delaunay,
+    graph: &impl PointGraph,
     owner: &[Option<u32>],
     point: usize,
     least: f64,

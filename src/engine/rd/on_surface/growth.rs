@@ -53,7 +53,14 @@ impl SurfaceGrowth {
         let row =
             |chemical: &Vec<f32>| operators.order.iter().map(|vertex| chemical[*vertex as usize]).collect();
         let rows: Vec<Vec<f32>> = concentrations.iter().map(row).collect();
-        let chemicals = reacting(&rows)?;
+        let noise: Vec<f32> = if maps.decay_noise.is_empty() {
+            Vec::new()
+        } else if fits(maps.decay_noise.len()) {
+            row(&maps.decay_noise)
+        } else {
+            return None;
+        };
+        let chemicals = reacting(&rows, &noise)?;
         let mut problem = SparseProblem::new(system, operators, &maps.parameters);
         if has_obstacles {
             problem.freeze(|vertex| maps.obstacles[vertex]);

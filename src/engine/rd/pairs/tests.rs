@@ -121,7 +121,7 @@ fn both_directions_of_a_weave_grow_and_cross() {
     let mut growth = PairGrowth::new(&maps, &model, &PairStart::Noise(1)).expect("two pairs");
     growth.advance(growth.steps_in(40.0));
     let threshold = 0.15 * model.peak_gain();
-    // `facts.md` T: .284 each way.
+    // `facts.md` T: .28 each way.
     for share in shares(&growth, threshold) {
         assert!((0.24..0.33).contains(&share), "{share}");
     }

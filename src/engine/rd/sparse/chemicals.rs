@@ -30,9 +30,9 @@ impl Clone for Box<dyn SparseChemicals> {
     }
 }
 
-/// Combines concentrations, one vector a chemical, with their reaction; `None` for another number of chemicals, or where
-/// they have different lengths.
-pub type ReactingByRows = fn(&[Vec<f32>]) -> Option<Box<dyn SparseChemicals>>;
+/// Combines concentrations, one vector a chemical, with their reaction, in which a decay differs by the second argument from row to row;
+/// empty = nowhere. `None` for another number of chemicals, or where they have different lengths.
+pub type ReactingByRows = fn(&[Vec<f32>], &[f32]) -> Option<Box<dyn SparseChemicals>>;
 
 /// Combines concentrations, one vector a chemical, with the reaction `kinetics`; `None` for another number of chemicals, or where
 /// they have different lengths.

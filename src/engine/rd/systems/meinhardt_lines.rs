@@ -64,7 +64,7 @@ static DEFINITION: Definition = Definition {
     tensors: &[PrincipalAxes::of_unit_width],
     mobilities: meinhardt_spots::mobilities,
     reacting: |_, _, planes| reacting(MeinhardtLines, planes),
-    by_rows: Some(|rows| reacting_by_rows(MeinhardtLines, rows)),
+    by_rows: Some(|rows, _| reacting_by_rows(MeinhardtLines, rows)),
     fineness: None,
     begin: Begin::Waves {
         on_grid: begin,
@@ -173,7 +173,7 @@ fn width(ratio: f32) -> f64 {
     14.8 * exp(-0.37 * ln(f64::from(ratio) / 10.0))
 }
 
-/// Measured on rings and webs around grown spots (`facts.md` M).
+/// Measured on rings and webs around grown spots (`facts.md` N).
 const ALONG_CURVES: LinesAlongCurves = LinesAlongCurves {
     // From a ratio of 20 on lines move towards the marks beneath and break where three meet; at 12 they split in wide gaps, and at
     // 10 they fill the gaps.

@@ -59,7 +59,7 @@ static DEFINITION: Definition = Definition {
     tensors: &[PrincipalAxes::of_unit_determinant],
     mobilities,
     reacting: |_, _, planes| reacting(MeinhardtSpots, planes),
-    by_rows: Some(|rows| reacting_by_rows(MeinhardtSpots, rows)),
+    by_rows: Some(|rows, _| reacting_by_rows(MeinhardtSpots, rows)),
     fineness: Some(include_bytes!(concat!(env!("OUT_DIR"), "/fineness.rows"))),
     begin: Begin::Bells { radius: |p| radius(p.ratio) / p.apart(), fill },
     peaks: Some(peaks),

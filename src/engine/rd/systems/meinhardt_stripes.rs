@@ -57,7 +57,7 @@ static DEFINITION: Definition = Definition {
     tensors: &[PrincipalAxes::of_unit_width],
     mobilities: |_| [1.0, RATIO],
     reacting: |_, _, planes| reacting(MeinhardtStripes, planes),
-    by_rows: Some(|rows| reacting_by_rows(MeinhardtStripes, rows)),
+    by_rows: Some(|rows, _| reacting_by_rows(MeinhardtStripes, rows)),
     fineness: None,
     begin: Begin::Waves {
         on_grid: begin,

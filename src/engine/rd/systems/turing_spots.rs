@@ -20,7 +20,7 @@ use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::parameter_field::Parameters;
 use crate::rd::plane::{Plane, RowLayout};
 use crate::rd::selling::PrincipalAxes;
-use crate::rd::sparse::reacting_by_rows;
+use crate::rd::sparse::{SparseChemicals, reacting_by_rows};
 use crate::rd::sweep;
 use crate::rd::systems::embedded;
 use crate::rd::vector::Number;
@@ -55,7 +55,10 @@ static DEFINITION: Definition = Definition {
         [] => reacting(TuringSpots, planes),
         noise => with_decay_noise(noise, grid, planes),
     },
-    by_rows: Some(|rows| reacting_by_rows(TuringSpots, rows)),
+    by_rows: Some(|rows, noise| match noise {
+        [] => reacting_by_rows(TuringSpots, rows),
+        noise => rows_with_decay_noise(noise, rows),
+    }),
     fineness: None,
     begin: Begin::Bells { radius: |_| RADIUS, fill },
     peaks: None,
@@ -182,6 +185,13 @@ fn with_decay_noise(noise: &[f32], grid: RowLayout, mut planes: Vec<Plane>) -> O
     let beta: Vec<f32> = noise.iter().map(|off| BETA + off).collect();
     planes.push(Plane::from_cells(grid, &beta)?);
     reacting(TuringSpotsWithDecayNoise, planes)
+}
+
+/// a and b by row of a surface, with a β that differs by `noise` from row to row.
+fn rows_with_decay_noise(noise: &[f32], rows: &[Vec<f32>]) -> Option<Box<dyn SparseChemicals>> {
+    let mut rows = rows.to_vec();
+    rows.push(noise.iter().map(|off| BETA + off).collect());
+    reacting_by_rows(TuringSpotsWithDecayNoise, &rows)
 }
 
 /// Bells on the nuclei (`facts.md` G).

@@ -23,7 +23,7 @@ fn flat_cell(system: System, wanted: &Attributes) -> f64 {
     }
 }
 
-/// Looks up marks on a flat grid of their own; the rate is that of cells of `cell` px. Lines along curves follow one law.
+/// Looks up marks on a flat grid of their own; the rate is that of cells of `cell` px. Lines along curves and areas follow laws.
 ///
 /// # Errors
 /// The training set cannot be read.
@@ -34,6 +34,9 @@ pub fn asked_on(
     cell: f64,
 ) -> Result<Answer, LayerError> {
     let system = choice.system;
+    if let Some(form) = &choice.areas {
+        return Ok(form.law(system, wanted, cell));
+    }
     if let Some((kind, laws)) = choice.curves {
         return Ok(law(kind, &laws, wanted, cell));
     }
@@ -242,7 +245,6 @@ impl Node {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::attributes::Polarity;
 
     #[test]
     fn what_is_interpolated_between_nodes_is_about_what_is_looked_up() {
@@ -260,7 +262,7 @@ mod tests {
             (System::MEINHARDT_LINES, vec![lines(9.0), lines(15.0)], vec![lines(10.0), lines(13.0)]),
         ];
         for (system, wanted, asked) in cases {
-            let choice = Choice { system, polarity: Polarity::Positive, curves: None };
+            let choice = Choice::of(system);
             let table = AnswerTable::new(training, &choice, &wanted, 3.0).expect("answers");
             for wanted in asked {
                 let (found, _) = table.at(&wanted);

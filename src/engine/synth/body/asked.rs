@@ -3,7 +3,7 @@
 use crate::attributes::{Attributes, Spots, Spread, Stripes};
 use crate::document::{Body, BodyEllipse, BodyMark, Document, DocumentError, Layer, LayerOptions};
 use crate::marks::axial;
-use crate::rd::System;
+use crate::synth::body::areas::AreaForm;
 use crate::synth::body::choice::Choice;
 use crate::synth::body::refusals;
 use crate::synth::drawn::sketch_targets::region_map;
@@ -59,21 +59,26 @@ impl Asked {
         let angle = regions.first().map_or(0.0, Attributes::angle);
         let marks: Vec<Attributes> = layer.on_model.iter().map(|mark| of_mark(mark, layer, angle)).collect();
         let all: Vec<Attributes> = regions.iter().chain(&marks).copied().collect();
+        let areas = AreaForm::of(document, index, &all);
         let choice =
-            Choice::new(layer, &all).ok_or_else(|| refusals::system(layer, index).in_file(source))?;
+            Choice::new(layer, &all, areas).ok_or_else(|| refusals::system(layer, index).in_file(source))?;
         let is_free =
             all.iter().all(|wanted| wanted.distance().is_none()) && drawn.iter().all(Option::is_none);
         let regions: Vec<Attributes> =
-            regions.into_iter().map(|one| filled(training, choice.system, one, None)).collect();
+            regions.into_iter().map(|one| filled(training, &choice, one, None)).collect();
         let usual = regions.first().and_then(Attributes::distance);
         let spaced = |(own, mark): (usize, Attributes)| {
             let spacing = drawn.get(own).copied().flatten().or(usual);
-            filled(training, choice.system, mark, spacing)
+            filled(training, &choice, mark, spacing)
         };
         let marks = marks.into_iter().enumerate().map(spaced).collect();
         let (mut spreads, mut notes) = (Vec::new(), Vec::new());
         for (wanted, asked) in regions.iter().zip(&asked_spreads) {
             let Attributes::Spots(spots) = wanted else { continue };
+            if let Some(form) = &choice.areas {
+                spreads.push(form.possible(*asked));
+                continue;
+            }
             let possible = limited(choice.system, spots, asked, is_given);
             spreads.push(possible.spread);
             notes.extend(possible.notes);
@@ -117,8 +122,12 @@ impl Asked {
 }
 
 /// With the spacing of spots: their own, one that is given, or the one that the system has by itself.
-fn filled(training: &Training, system: System, wanted: Attributes, given: Option<f64>) -> Attributes {
+fn filled(training: &Training, choice: &Choice, wanted: Attributes, given: Option<f64>) -> Attributes {
     let Attributes::Spots(spots) = wanted else { return wanted };
+    if let Some(form) = &choice.areas {
+        return Attributes::Spots(form.filled(Spots { spacing: spots.spacing.or(given), ..spots }));
+    }
+    let system = choice.system;
     let free = || free_spacing(training, system, &spots);
     let spacing = if system.description().free_spacing { spots.spacing.or(given) } else { None };
     Attributes::Spots(Spots { spacing: Some(spacing.unwrap_or_else(free)), ..spots })

@@ -18,7 +18,7 @@ use crate::synth::error::LayerError;
 
 /// Initial concentrations.
 pub struct Initial {
-    /// One vector a chemical, by vertex.
+    /// One vector a chemical, by vertex. Of areas, which do not react, the one that shows them.
     pub concentrations: Vec<Vec<f32>>,
     /// How many spots were laid; 0 of stripes.
     pub laid: usize,
@@ -41,6 +41,13 @@ pub fn begin(
     }
     let seed = document.layer_seed(plan.layer);
     let pinned = pinned(document, placed, plan);
+    if let Some(form) = plan.choice.areas {
+        let centers = lay(&plan.maps, plan.choice.system, coarse, seed, &pinned).inside;
+        if centers.is_empty() {
+            return Err(LayerError::NoRoom);
+        }
+        return Ok(Initial { concentrations: vec![form.grown(plan, &centers, seed)], laid: centers.len() });
+    }
     let laid = match (document.layers[plan.layer].after, beneath.last()) {
         (After::Inside, Some(outer)) => {
             let inside = inside(plan, outer);

@@ -1,9 +1,10 @@
 //! The system that grows a layer on a model, and which phase of its stripes.
 
-use crate::attributes::system::MarkKind;
+use crate::attributes::system::{Description, MarkKind};
 use crate::attributes::{Attributes, Polarity};
 use crate::document::{Layer, SystemChoice};
 use crate::rd::{LinesAlongCurves, System};
+use crate::synth::body::areas::AreaForm;
 use crate::synth::marks::plan::around::curve_kind;
 use crate::synth::marks::plan::offset_curves::CurveKind;
 
@@ -16,6 +17,8 @@ pub struct Choice {
     pub polarity: Polarity,
     /// The curves round or between the marks beneath that its lines run along, and the laws of these; `None` where they run freely.
     pub curves: Option<(CurveKind, LinesAlongCurves)>,
+    /// The form of patches or cells, which do not react: `system` lays their places; `None` of other marks.
+    pub areas: Option<AreaForm>,
 }
 
 /// Whether a system grows on models.
@@ -35,12 +38,12 @@ impl Choice {
     ///
     /// `None` where it asks for a system that does not grow on models, or for one of other marks.
     #[must_use]
-    pub fn new(layer: &Layer, wanted: &[Attributes]) -> Option<Self> {
+    pub fn new(layer: &Layer, wanted: &[Attributes], areas: Option<AreaForm>) -> Option<Self> {
         let first = wanted.first()?;
         if let Some(kind) = curve_kind(layer.after) {
             let along = |system: System| Some((system, system.definition().along_curves?));
             let (system, laws) = systems().find_map(along)?;
-            return Some(Self { system, polarity: Polarity::Positive, curves: Some((kind, laws)) });
+            return Some(Self { curves: Some((kind, laws)), ..Self::of(system) });
         }
         let open = match first {
             Attributes::Spots(_) => systems().find(|system| system.definition().fineness.is_some()),
@@ -48,6 +51,10 @@ impl Choice {
                 SystemChoice::system_of_stripes(stripes.wavelength.is_some()).filter(|system| grows(*system))
             }
         };
+        if areas.is_some() {
+            let is_spots = wanted.iter().all(|wanted| matches!(wanted, Attributes::Spots(_)));
+            return open.filter(|_| is_spots).map(|system| Self { areas, ..Self::of(system) });
+        }
         let system = match layer.wanted_system() {
             SystemChoice::Auto | SystemChoice::Stripes => open?,
             given => given.system().filter(|system| grows(*system))?,
@@ -63,6 +70,18 @@ impl Choice {
         let (sum, count) = duties.fold((0.0, 0), |(sum, count), duty| (sum + duty, count + 1));
         let polarity =
             if count == 0 { Polarity::Positive } else { Polarity::of_duty(sum / f64::from(count)) };
-        Some(Self { system, polarity, curves: None })
+        Some(Self { polarity, ..Self::of(system) })
+    }
+
+    /// Marks of a system that grow freely.
+    #[must_use]
+    pub const fn of(system: System) -> Self {
+        Self { system, polarity: Polarity::Positive, curves: None, areas: None }
+    }
+
+    /// The description of what grows.
+    #[must_use]
+    pub fn description(&self) -> &'static Description {
+        self.areas.map_or(self.system.description(), |form| form.kind().description())
     }
 }

@@ -52,7 +52,7 @@ pub fn describe(
     let mut layers = Vec::new();
     for (Asked { layer, choice, .. }, cell) in asked.iter().zip(&cells) {
         let vertices = needs::vertices(area, &[*cell]);
-        let system = choice.system.description();
+        let system = choice.description();
         let _ = writeln!(
             text,
             "  layer {} ({}): about {vertices:.0} vertices, {cell:.2} px a cell",

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::document::{After, Body, Document, DocumentError};
+use crate::document::{After, Body, Document, DocumentError, RaggedChoice};
 use crate::rd::{Operators, SurfaceGrowth};
 use crate::surface::Surface;
 use crate::synth::body::asked::Asked;
@@ -15,6 +15,7 @@ use crate::synth::body::layer::BodyLayer;
 use crate::synth::body::needs;
 use crate::synth::body::placed::Placed;
 use crate::synth::body::plan::{self, BodyPlan};
+use crate::synth::body::ragged::roughened;
 use crate::synth::body::refusals;
 use crate::synth::body::remeshed::Remeshed;
 use crate::synth::body::threshold::Levelled;
@@ -87,6 +88,16 @@ struct Growing {
     laid: usize,
 }
 
+/// A pattern that has formed.
+struct Formed {
+    plan: BodyPlan,
+    /// How much of a mark each vertex shows.
+    marks: Vec<f32>,
+    laid: usize,
+    steps: u64,
+    settled: bool,
+}
+
 impl<'a> BodyGrowth<'a> {
     /// Begins to grow a document that has a model. `model` are the bytes of its file.
     ///
@@ -134,18 +145,12 @@ impl<'a> BodyGrowth<'a> {
                 let plan = self.plan(&model, fine)?;
                 State::Begin(model, Box::new(plan), Box::new(coarse))
             }
-            State::Begin(model, plan, coarse) => {
-                let growing = self.begin_layer(&model, *plan, &coarse)?;
-                State::Grow(model, Box::new(growing))
-            }
+            State::Begin(model, plan, coarse) => self.begin_layer(model, *plan, &coarse)?,
             State::Grow(model, growing) => grow(model, growing, budget),
-            State::Level(mut model, growing, settled) => {
-                model.layers.push(self.level(*growing, settled)?);
-                if model.layers.len() < model.asked.len() {
-                    return Ok(remesh(model));
-                }
-                let Model { placed, layers, .. } = *model;
-                State::Done(Box::new(GrownBody { document: self.document.clone(), placed, layers }))
+            State::Level(model, growing, settled) => {
+                let Growing { plan, growth, laid, .. } = *growing;
+                let formed = Formed { plan, marks: growth.marks(), laid, steps: growth.steps(), settled };
+                self.next_layer(model, formed)?
             }
             ended @ (State::Done(_) | State::Failed) => ended,
         })
@@ -171,28 +176,44 @@ impl<'a> BodyGrowth<'a> {
         plan.among(self.document, taken)
     }
 
-    /// Begins to grow a planned layer.
+    /// Begins to grow a planned layer. One of areas is then formed.
     fn begin_layer(
         &self,
-        model: &Model,
+        model: Box<Model>,
         mut plan: BodyPlan,
         coarse: &Surface,
-    ) -> Result<Growing, LayerError> {
-        let Initial { concentrations, laid } =
+    ) -> Result<State, LayerError> {
+        let Initial { mut concentrations, laid } =
             begin(self.document, &model.placed, &mut plan, coarse, &model.layers)?;
-        let (system, surface) = (plan.choice.system, plan.surface());
+        if plan.choice.areas.is_some() {
+            let marks = concentrations.swap_remove(0);
+            return self.next_layer(model, Formed { plan, marks, laid, steps: 0, settled: true });
+        }
+        let system = plan.choice.system;
+        let irregular = self.document.layers[plan.layer].options.irregular;
+        plan.maps = plan.maps.with_decay_noise(system, irregular, self.document.layer_seed(plan.layer));
+        let surface = plan.surface();
         let operators = Operators::new(system, &surface.mesh, surface.frames(), &plan.maps.parameters);
         let growth = SurfaceGrowth::new(system, &plan.maps, Arc::new(operators), &concentrations);
         let growth = growth.ok_or(LayerError::NoRoom)?;
         let unit = growth.steps_in(1.0) as f64;
         let monitor = ConvergenceMonitor::new(system, unit, true, growth.marks());
-        Ok(Growing { plan, growth, monitor, laid })
+        Ok(State::Grow(model, Box::new(Growing { plan, growth, monitor, laid })))
     }
 
-    /// Makes the pattern of what has grown.
-    fn level(&self, growing: Growing, settled: bool) -> Result<BodyLayer, LayerError> {
-        let Growing { plan, growth, laid, .. } = growing;
-        let mut marks = growth.marks();
+    /// Adds what has formed to the layers, and goes on to the next one, if there is one.
+    fn next_layer(&self, mut model: Box<Model>, formed: Formed) -> Result<State, LayerError> {
+        model.layers.push(self.level(formed)?);
+        if model.layers.len() < model.asked.len() {
+            return Ok(remesh(model));
+        }
+        let Model { placed, layers, .. } = *model;
+        Ok(State::Done(Box::new(GrownBody { document: self.document.clone(), placed, layers })))
+    }
+
+    /// Makes the pattern of what has formed.
+    fn level(&self, formed: Formed) -> Result<BodyLayer, LayerError> {
+        let Formed { mut plan, mut marks, laid, steps, settled } = formed;
         if marks.iter().any(|mark| !mark.is_finite()) {
             return Err(LayerError::NoPattern);
         }
@@ -202,12 +223,18 @@ impl<'a> BodyGrowth<'a> {
             marks = curves.levelled(plan.surface(), &marks, width);
         }
         let corrects = self.options.refine.unwrap_or(self.document.growth.refine);
-        let levelled = Levelled::new(&plan, &marks, corrects);
+        let mut levelled = Levelled::new(&plan, &marks, corrects);
+        if let (RaggedChoice::Given(sigma), None) =
+            (self.document.layers[plan.layer].options.ragged, plan.choice.areas)
+        {
+            let seed = self.document.layer_seed(plan.layer);
+            levelled = roughened(&mut plan, levelled, sigma, seed, corrects);
+        }
         let measured = &levelled.measured;
         if measured.spots.is_empty() && measured.stripes.iter().all(|stripes| stripes.contour == 0.0) {
             return Err(LayerError::Blank { what: "nothing", advice: LayerError::MARKS });
         }
-        Ok(BodyLayer { plan, levelled, laid, steps: growth.steps(), settled })
+        Ok(BodyLayer { plan, levelled, laid, steps, settled })
     }
 
     /// What is being done, and the share of it that is done, 0..1.

@@ -3,10 +3,12 @@
 use super::{BodyGrowth, BodyLayer, GrownBody};
 use crate::attributes::{Attribute, Spread};
 use crate::document::{
-    After, Body, BodyEllipse, BodyMark, BodySource, Document, DutyChoice, Layer, SpreadChoice, Stroke,
+    After, Body, BodyEllipse, BodyMark, BodySource, Document, DutyChoice, Layer, RaggedChoice, SpreadChoice,
+    Stroke,
 };
 use crate::grid::Domain;
 use crate::marks::Line;
+use crate::measure::surface_stripes;
 use crate::rd::System;
 use crate::surface::distances;
 use crate::synth::Options;
@@ -14,18 +16,18 @@ use crate::synth::body::beneath::carried;
 use crate::synth::pattern::EDGE;
 
 /// Layers on a built-in body of so many px.
-fn on(name: &'static str, px: f64, layers: Vec<Layer>) -> Document {
+pub fn on(name: &'static str, px: f64, layers: Vec<Layer>) -> Document {
     let model = Some(Body { px, ..Body::new(BodySource::BuiltIn(name)) });
     Document { model, seed: 3, layers, ..Document::new([300, 260]) }
 }
 
-fn grown(document: &Document) -> GrownBody {
+pub fn grown(document: &Document) -> GrownBody {
     let growth = BodyGrowth::begin(document, None, &Options::default()).expect("it grows on models");
     growth.run().expect("it grows")
 }
 
 /// Round spots of this radius, so many px apart.
-fn spots(radius: f64, apart: f64) -> Layer {
+pub fn spots(radius: f64, apart: f64) -> Layer {
     let at = |i: i32| {
         let shift = 0.5 * f64::from(i / 4 % 2);
         [20.0 + apart * (f64::from(i % 4) + shift), 20.0 + 0.866 * apart * f64::from(i / 4)]
@@ -69,7 +71,7 @@ fn lines_and_gaps_on_a_torus_have_the_period_that_is_asked() {
 }
 
 /// How far each vertex of one layer's surface is from the marks of another, px.
-fn from_marks(layer: &BodyLayer, other: &BodyLayer) -> Vec<f64> {
+pub fn from_marks(layer: &BodyLayer, other: &BodyLayer) -> Vec<f64> {
     let surface = layer.plan.surface();
     let covered: Vec<bool> = carried(other, surface).iter().map(|value| *value >= EDGE).collect();
     let away = surface.distances(&covered).expect("marks");
@@ -153,6 +155,48 @@ fn turings_spots_have_the_area_that_is_asked() {
     let grown = grown(&on("sphere", 140.0, vec![layer]));
     let error = &grown.report("test", 0.0).layers[0].regions[0].error;
     assert!(error[&Attribute::Area].abs() < 2e-3 && error[&Attribute::Spacing].abs() < 0.05, "{error:?}");
+}
+
+#[test]
+fn irregular_spots_differ_from_each_other_and_keep_their_mean_area() {
+    let spread = |irregular: f64| {
+        let mut layer = spots(5.0, 19.0);
+        layer.system = crate::document::SystemChoice::Of(System::TURING_SPOTS.description());
+        layer.options.irregular = irregular;
+        let grown = grown(&on("sphere", 140.0, vec![layer]));
+        let error = grown.report("test", 0.0).layers[0].regions[0].error[&Attribute::Area];
+        assert!(error.abs() < 2e-3, "{error}");
+        let areas: Vec<f64> = grown.layers[0].levelled.measured.spots.iter().map(|spot| spot.area).collect();
+        let mean = areas.iter().sum::<f64>() / areas.len() as f64;
+        let squares = areas.iter().map(|area| (area / mean - 1.0) * (area / mean - 1.0)).sum::<f64>();
+        (squares / areas.len() as f64).sqrt()
+    };
+    let [even, uneven] = [0.0, 0.8].map(spread);
+    assert!(even < 0.12 && uneven > even + 0.12, "{even} {uneven}");
+}
+
+#[test]
+fn ragged_marks_have_longer_edges_and_keep_their_number_and_size() {
+    let edges = |layer: Layer, sigma: f64| {
+        let mut layer = layer;
+        layer.options.ragged = RaggedChoice::Given(sigma);
+        let grown = grown(&on("sphere", 160.0, vec![layer]));
+        let region = &grown.report("test", 0.0).layers[0].regions[0];
+        let size = region.error.get(&Attribute::Area).or(region.error.get(&Attribute::Width)).copied();
+        let layer = &grown.layers[0];
+        let found = surface_stripes(layer.plan.surface(), &layer.levelled.pattern, EDGE, 1, &|_| 0);
+        (found[0].contour, size.expect("a size"), layer.spots())
+    };
+    for make in [|| spots(9.0, 30.0), || stripes(9.0)] {
+        let [(smooth, _, count), (rough, size, also)] = [0.0, 0.3].map(|sigma| edges(make(), sigma));
+        // Of spots so far apart 0.55 more are asked, of such stripes 0.44.
+        let excess = (rough / smooth) * (rough / smooth) - 1.0;
+        assert!((0.35..0.75).contains(&excess), "{excess}");
+        assert_eq!(also, count);
+        if count > 0 {
+            assert!(size.abs() < 0.01, "{size}");
+        }
+    }
 }
 
 #[test]

@@ -8,6 +8,10 @@ use crate::rd::{ParameterField, Parameters, PinnedSpot, Places, System, nuclei};
 use crate::surface::{Surface, SurfacePoint};
 use crate::synth::body::given_directions::degrees;
 
+/// What is nearer than this to an obstacle, in pitches, counts as one: the cells of the coarse mesh are large. Without this one of 159
+/// spots beside large ones did not live.
+const BESIDE: f64 = 0.1;
+
 /// Places of spots on the surface of `maps`, laid on a `coarse` mesh of the same model: the `pinned` ones first, then others around
 /// them and beside obstacles.
 #[must_use]
@@ -37,11 +41,12 @@ pub fn lay(
     let own: Vec<usize> = (0..coarse.mesh.positions.len()).into_par_iter().map(nearest).collect();
     let at = |(vertex, own): (usize, &usize)| carried(*own, coarse.place_of(vertex), maps.parameters[*own]);
     let parameters = own.par_iter().enumerate().map(at).collect();
-    let obstacles: Vec<bool> = if maps.obstacles.is_empty() {
-        Vec::new()
-    } else {
-        own.iter().map(|own| maps.obstacles[*own]).collect()
+    let away = if maps.obstacles.is_empty() { None } else { fine.distances(&maps.obstacles) };
+    let is_taken = |away: &[f64]| {
+        let is_near = |own: &usize| away[*own] <= BESIDE * system.spacing(&maps.parameters[*own]);
+        own.iter().map(is_near).collect()
     };
+    let obstacles: Vec<bool> = away.as_deref().map_or_else(Vec::new, is_taken);
     let pinned: Vec<PinnedSpot<SurfacePoint>> = pinned
         .iter()
         .map(|spot| {

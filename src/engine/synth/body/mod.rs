@@ -9,6 +9,7 @@
 
 mod anchors;
 mod answer_table;
+mod areas;
 mod asked;
 mod begin;
 mod beneath;
@@ -31,6 +32,7 @@ mod noise_maps;
 mod output;
 mod placed;
 mod plan;
+mod ragged;
 mod refusals;
 mod remeshed;
 mod report;

@@ -79,7 +79,10 @@ pub fn cell(document: &Document, asked: &Asked, training: &Training) -> Result<f
 }
 
 /// px a cell that suits marks of these parameters, which are those of cells of 1 px.
-fn suited(Choice { system, curves, .. }: &Choice, own: &Parameters, wanted: &Attributes) -> f64 {
+fn suited(Choice { system, curves, areas, .. }: &Choice, own: &Parameters, wanted: &Attributes) -> f64 {
+    if let Some(form) = areas {
+        return form.cell(wanted);
+    }
     if let Attributes::Stripes(Stripes { width, .. }) = wanted {
         if curves.is_some() {
             return width / STRIPES[1];

@@ -1,8 +1,8 @@
 //! What a document may not ask for on a model.
 
 use crate::document::{
-    After, Body, BodyMark, Document, DocumentError, Kind, Layer, LayerOptions, MapSource, Problem,
-    RaggedChoice, Seeding, Stroke, SystemChoice,
+    After, AreaKind, Body, BodyMark, Document, DocumentError, Kind, Layer, LayerOptions, MapSource, Problem,
+    Seeding, Stroke, SystemChoice,
 };
 use crate::synth::body::choice::{grows, systems};
 use crate::synth::drawn::maps;
@@ -22,7 +22,8 @@ pub fn check<'a>(document: &'a Document, source: &str) -> Result<&'a Body, Docum
 /// The problem of a layer whose system does not grow its marks on a model.
 #[must_use]
 pub fn system(layer: &Layer, index: usize) -> Problem {
-    let names: Vec<&str> = systems().map(|system| system.description().name).collect();
+    let areas = AreaKind::ALL.into_iter().map(|kind| kind.description().name);
+    let names: Vec<&str> = systems().map(|system| system.description().name).chain(areas).collect();
     let found = format!("{:?} on a model", layer.wanted_system().name());
     let allowed =
         format!("auto, {}, for marks that they grow; others do not grow on a model yet", names.join(", "));
@@ -37,7 +38,7 @@ fn refused(layer: &Layer, index: usize) -> Option<Problem> {
     };
     let is_known = match layer.wanted_system() {
         SystemChoice::Auto | SystemChoice::Stripes => true,
-        given => given.system().is_some_and(grows),
+        given => given.areas().is_some() || given.system().is_some_and(grows),
     };
     if !is_known {
         return Some(system(layer, index));
@@ -52,7 +53,9 @@ fn refused(layer: &Layer, index: usize) -> Option<Problem> {
         return at("strokes", "ellipses and lines in one layer", "marks of one kind in a layer on a model");
     }
     let has_paths = layer.on_model.iter().any(|mark| matches!(mark, BodyMark::Path { .. }));
-    let LayerOptions { irregular, ragged, broken, seeding, .. } = layer.options;
+    let LayerOptions { irregular, broken, seeding, .. } = layer.options;
+    let takes_noise =
+        layer.wanted_system().system().is_some_and(|system| system.definition().decay_noise.is_some());
     let needs_paths = "a path on the model, from which stripes begin";
     match seeding {
         Seeding::Segments => return at("options.seeding", "\"segments\" on a model", "noise or initiators"),
@@ -60,8 +63,7 @@ fn refused(layer: &Layer, index: usize) -> Option<Problem> {
         Seeding::Initiators | Seeding::Noise => {}
     }
     let options = [
-        ("options.irregular", irregular != 0.0),
-        ("options.ragged", matches!(ragged, RaggedChoice::Given(_))),
+        ("options.irregular", irregular != 0.0 && !takes_noise),
         ("options.broken", broken != 0.0 && layer.after != After::Around),
         ("tone", layer.tone.is_some()),
         ("points", layer.points.is_some()),

@@ -144,7 +144,7 @@ impl BodyLayer {
         let regions = of_anchors(self).into_iter().enumerate();
         BodyLayerReport {
             name: document.layers[self.plan.layer].name.clone(),
-            system: self.plan.choice.system.description().name,
+            system: self.plan.choice.description().name,
             cell: surface.unit(),
             vertices: surface.mesh.positions.len(),
             steps: self.steps,

@@ -13,6 +13,7 @@ use crate::synth::pattern::{EDGE, share};
 const RANGE: [f64; 2] = [0.08, 0.92];
 
 /// The marks about each anchor.
+#[derive(Clone)]
 pub struct Measured {
     /// All spots; none of stripes.
     pub spots: Vec<SurfaceSpot>,
@@ -174,7 +175,7 @@ impl Thresholds for Shown<'_> {
         let of_anchor = |wanted: &Attributes| match wanted {
             // Gaps become wider by as much as lines become thinner.
             Attributes::Stripes(gaps) if self.plan.is_inverted() => -slope * (1.0 / gaps.duty() - 1.0),
-            _ => slope,
+            wanted => self.plan.choice.areas.map_or(slope, |form| form.level_slope(wanted)),
         };
         self.plan.anchors.iter().map(|anchor| of_anchor(&anchor.wanted)).collect()
     }

@@ -159,7 +159,7 @@ impl Takes {
             }
         }
         let grown = growth.complete().expect("it has grown");
-        let settled = Painting::sized(document, &grown, small).rgb();
+        let settled = Painting::sized(document, &grown, small).unfinished().rgb();
         let frames = seen.spread(frames, &settled);
         Ok(Self { grown, frames })
     }
@@ -197,7 +197,8 @@ impl Takes {
         if (watch.cancelled)() {
             return Err(Stopped::Cancelled.into());
         }
-        let settled = painted(&|size| Painting::sized(document, &self.grown, size), self.grown.size, size);
+        let settled =
+            painted(&|size| Painting::sized(document, &self.grown, size).unfinished(), self.grown.size, size);
         Ok(show(&settled)?)
     }
 }

@@ -2,6 +2,8 @@
 
 mod concentrations;
 mod fine;
+mod finished;
+mod flow;
 mod lit;
 mod material;
 mod relief;
@@ -31,6 +33,7 @@ use crate::synth::marks::plan::Plan;
 use crate::synth::pattern::EDGE;
 use crate::synth::pattern::LayerPattern;
 use crate::synth::profile::{Section, during};
+use crate::synth::render::painting::finished::{Applied, encode};
 use crate::synth::watch::{Stage, Watch};
 
 /// Patterns and colours of all layers, for pictures of one size.
@@ -47,6 +50,8 @@ pub struct Painting<'a> {
     visible: Vec<bool>,
     /// Layers whose marks are replaced by those of the next one; they cover nothing.
     replaced: Vec<bool>,
+    /// The finish of the document; none of a pattern that still grows.
+    finish: Option<Applied>,
 }
 
 impl<'a> Painting<'a> {
@@ -60,7 +65,9 @@ impl<'a> Painting<'a> {
     #[must_use]
     pub fn sized(document: &Document, grown: &'a Grown, size: [usize; 2]) -> Self {
         let layers = grown.layers.iter().take(document.layers.len());
-        Self::with(document, grown.size.map(f64::from), size, layers.map(GrownLayer::pattern).collect())
+        let canvas = grown.size.map(f64::from);
+        let painting = Self::with(document, canvas, size, layers.map(GrownLayer::pattern).collect());
+        Self { finish: Applied::of(document, canvas), ..painting }
     }
 
     /// A layer that still grows, on top of those that have `grown`, at `size` px.
@@ -100,13 +107,18 @@ impl<'a> Painting<'a> {
                 .collect(),
             replaced: (0..document.layers.len()).map(|index| is_replaced(document, index)).collect(),
             layers,
+            finish: None,
         }
     }
 
-    /// The band of these rows.
+    /// The band of these rows, without the finish.
     #[must_use]
     pub fn band(&self, rows: Range<usize>) -> Band<'_> {
-        let [width, height] = self.size;
+        self.band_at(rows, self.size)
+    }
+
+    /// The band of these rows of a picture of another size, without the finish.
+    fn band_at(&self, rows: Range<usize>, [width, height]: [usize; 2]) -> Band<'_> {
         let field = |values: Vec<f32>| Field {
             width,
             height: rows.len(),
@@ -129,13 +141,15 @@ impl<'a> Painting<'a> {
             }
         }
         let places = self.colour_maps.iter().zip(&patterns);
-        let places = places.map(|(map, pattern)| Some(self.places(map.as_ref()?, pattern, rows.start)));
-        Band { painting: self, places: places.collect(), patterns, free }
+        let places =
+            places.map(|(map, pattern)| Some(self.places(map.as_ref()?, pattern, rows.start, height)));
+        Band { painting: self, width, places: places.collect(), patterns, free }
     }
 
     /// The place of each px of a `pattern` in its gradient; the pattern begins at row `first`.
-    fn places(&self, map: &ColourMap, pattern: &Field, first: usize) -> Field {
-        let [wide, high] = [0, 1].map(|axis| self.canvas[axis] / self.size[axis] as f64);
+    /// The picture has `height` rows.
+    fn places(&self, map: &ColourMap, pattern: &Field, first: usize, height: usize) -> Field {
+        let [wide, high] = [self.canvas[0] / pattern.width as f64, self.canvas[1] / height as f64];
         let mut places = pattern.clone();
         places.values.par_chunks_mut(places.width.max(1)).enumerate().for_each(|(y, row)| {
             for (x, value) in row.iter_mut().enumerate() {
@@ -146,9 +160,13 @@ impl<'a> Painting<'a> {
         places
     }
 
-    /// Whether no visible colour is transparent.
+    /// Whether no visible colour is transparent. A finish is opaque: transparent colours are painted over white.
     #[must_use]
     pub fn is_opaque(&self) -> bool {
+        self.has_finish() || self.is_opaque_without_finish()
+    }
+
+    fn is_opaque_without_finish(&self) -> bool {
         let layers = self.gradients.iter().zip(&self.visible).take(self.layers.len());
         layers.clone().all(|(gradient, visible)| !visible || gradient.is_opaque())
             && (layers.clone().any(|(_, visible)| *visible)
@@ -159,6 +177,10 @@ impl<'a> Painting<'a> {
     #[must_use]
     pub fn rgb(&self) -> Vec<u8> {
         let mut rgb = vec![0; 3 * self.size[0] * self.size[1]];
+        if let Some(finished) = self.finished() {
+            encode(finished, 0, true, Samples::Rgb8, &mut rgb);
+            return rgb;
+        }
         let band = self.band(0..self.size[1]);
         if self.is_opaque() {
             band.paint(&mut rgb);
@@ -178,6 +200,10 @@ impl<'a> Painting<'a> {
     #[must_use]
     pub fn rgba_rows(&self, rows: Range<usize>) -> Vec<u8> {
         let mut rgba = vec![0; 4 * self.size[0] * rows.len()];
+        if let Some(finished) = self.finished() {
+            encode(finished, rows.start * self.size[0], true, Samples::Rgba8, &mut rgba);
+            return rgba;
+        }
         self.band(rows).paint_fine(&fine::Colours::new(self, false), Samples::Rgba8, &mut rgba);
         rgba
     }
@@ -213,10 +239,19 @@ impl<'a> Painting<'a> {
         let fine = channel == Channel::Texture && (samples != Samples::Rgb8 || !self.is_opaque());
         let colours = fine.then(|| fine::Colours::new(self, style.transparent));
         let encoding = Encoding { quality: style.quality, aside };
+        let finished = matches!(channel, Channel::Texture | Channel::Mask).then(|| self.finished()).flatten();
         picture::write(out, format, encoding, header, |rows, bytes| {
             step(&rows)?;
             // An empty range is only a test for cancelling.
             if rows.is_empty() {
+                return Ok(());
+            }
+            if let Some(finished) = finished {
+                let first = rows.start * self.size[0];
+                match channel {
+                    Channel::Mask => bytes.copy_from_slice(&finished.mask[first..first + bytes.len()]),
+                    _ => encode(finished, first, true, samples, bytes),
+                }
                 return Ok(());
             }
             during(Section::Paint, || {
@@ -225,7 +260,7 @@ impl<'a> Painting<'a> {
                     (Channel::Texture, None) => band.paint(bytes),
                     (Channel::Texture, Some(colours)) => band.paint_fine(colours, samples, bytes),
                     (Channel::Pattern(only), _) => band.pattern(only, bytes),
-                    (Channel::Labels, _) => band.labels(bytes),
+                    (Channel::Labels | Channel::Mask, _) => band.labels(bytes),
                 }
             });
             Ok(())
@@ -287,7 +322,7 @@ impl Style {
                 Samples::colours(self.deep || format == Format::Exr, has_opacity)
             }
             Channel::Pattern(_) => Samples::Gray16,
-            Channel::Labels => Samples::Gray8,
+            Channel::Labels | Channel::Mask => Samples::Gray8,
         }
     }
 }
@@ -301,6 +336,8 @@ pub enum Channel {
     Pattern(Option<usize>),
     /// For each px, the layer whose mark covers it: 8 bit.
     Labels,
+    /// For each px, the layer whose mark covers it after the finish: 8 bit. Without a finish the labels.
+    Mask,
 }
 
 impl Channel {
@@ -310,7 +347,7 @@ impl Channel {
         match self {
             Self::Texture => Content::Colours,
             Self::Pattern(_) => Content::Numbers,
-            Self::Labels => Content::Labels,
+            Self::Labels | Self::Mask => Content::Labels,
         }
     }
 }
@@ -324,6 +361,8 @@ pub(super) fn gradient_of(layer: &Layer, index: usize) -> Gradient {
 /// Some rows of the pictures.
 pub struct Band<'a> {
     painting: &'a Painting<'a>,
+    /// px of a row.
+    width: usize,
     patterns: Vec<Field>,
     /// The place of each px in the gradient of the layer, if it differs from the pattern.
     places: Vec<Option<Field>>,
@@ -351,7 +390,7 @@ impl Band<'_> {
     /// The colours: red, green, blue a px.
     pub fn paint(&self, rgb: &mut [u8]) {
         let rows = self.patterns.first().map_or(0, |pattern| pattern.height);
-        paint_rows(&self.painted(), self.painting.size[0], 0..rows, rgb);
+        paint_rows(&self.painted(), self.width, 0..rows, rgb);
     }
 
     /// The pattern of layer `only`, or of the layer that is visible at each px; 0 where there is none. 16 bits, big-endian.

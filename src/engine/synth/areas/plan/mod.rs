@@ -229,14 +229,14 @@ fn chosen(kind: AreaKind) -> String {
 }
 
 /// The corners of a drawn mark on the canvas that is grown, and its raggedness.
-pub(super) struct Shape {
+pub(in crate::synth) struct Shape {
     pub center: [f64; 2],
     pub corners: Vec<[f64; 2]>,
     pub raggedness: f64,
 }
 
 /// The shape of each of the `strokes`, whose `marks` lie on the canvas that is grown; lines have no corners.
-fn shapes(strokes: &[Stroke], marks: &[Mark]) -> Vec<Shape> {
+pub(in crate::synth) fn shapes(strokes: &[Stroke], marks: &[Mark]) -> Vec<Shape> {
     let shape = |(stroke, mark): (&Stroke, &Mark)| {
         let center = mark.center();
         match (stroke, stroke.mark()) {

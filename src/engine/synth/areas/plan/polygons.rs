@@ -14,7 +14,7 @@ use crate::rd::pairs::HELD;
 use crate::rd::pairs::polygons::{BLURS, TIME, distance, model, size, widest_gap};
 use crate::rd::pairs::work::{Sizes, updates};
 
-/// Cells of the grid per size of the pair: with fewer than 1.5, edges stick to the grid (`facts.md` H).
+/// Cells of the grid per size of the pair: with fewer than 1.5, edges stick to the grid (`facts.md` T).
 const CELLS: f64 = 1.75;
 /// Width of the lines ÷ √area if no two drawn outlines nearly touch: that of a giraffe.
 pub const USUAL: f64 = 0.2;
@@ -167,7 +167,7 @@ fn elongation_of_metric(wanted: f64) -> f64 {
 
 /// The drawn width of the lines between cells, px: the mean width of the lines beside the ellipses, or else the mean gap between
 /// ellipses that nearly touch; `None` without either.
-pub(super) fn drawn_gap(marks: &[Mark], canvas: &Bounds) -> Option<f64> {
+pub(in crate::synth) fn drawn_gap(marks: &[Mark], canvas: &Bounds) -> Option<f64> {
     let width = |mark: &Mark| match mark {
         Mark::Ellipse(_) => None,
         Mark::Line(Line { width, .. }) | Mark::Path(Path { width, .. }) => Some(*width),

@@ -17,13 +17,13 @@ const CELLS: f64 = 12.0;
 /// Most cells of that grid, as a multiple of the canvas' px: finer lobes cannot be seen.
 const MOST: f64 = 1.0;
 /// The first amplitude: that of a Holstein's edges on most systems.
-const FIRST: f64 = 0.12;
+pub const FIRST: f64 = 0.12;
 /// Most amplitudes that are tried. With the third one the error of the raggedness is below [`NEAR`] where it can be reached.
-const TRIES: usize = 5;
+pub const TRIES: usize = 5;
 /// Largest relative error of the excess of the raggedness that is accepted.
-const NEAR: f64 = 0.03;
+pub const NEAR: f64 = 0.03;
 /// Combined with the layer's seed, so that the noise of the edges has random numbers of its own.
-const SEED: u64 = 0x7261_6767_6564_3A31;
+pub const SEED: u64 = 0x7261_6767_6564_3A31;
 
 /// A layer whose edges are being made ragged.
 pub struct RaggedSearch {

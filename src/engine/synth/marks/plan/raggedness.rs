@@ -27,7 +27,9 @@ pub fn sigma_of(marks: &Attributes, raggedness: f64) -> f64 {
     Wanted { raggedness: smooth + raggedness - 1.0, ..patch }.shape(Patches::DETAIL).sigma
 }
 
-fn excess(wanted: &Attributes, sigma: f64) -> f64 {
+/// By how much the raggedness of marks with these attributes and this σ exceeds 1.
+#[must_use]
+pub fn excess(wanted: &Attributes, sigma: f64) -> f64 {
     let patch = patch(wanted);
     patch.raggedness_of(sigma, Patches::DETAIL) - patch.raggedness_of(0.0, Patches::DETAIL)
 }

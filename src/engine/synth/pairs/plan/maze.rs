@@ -11,7 +11,7 @@ use crate::synth::report::NOTED;
 /// e of the pairs of a maze, of two directions and of more. With 2, mazes of three directions are twisted; with 3, mazes of two
 /// directions have long pieces that their neighbours rotate (`facts.md` H).
 const ELONGATIONS: [f32; 2] = [2.0, 3.0];
-/// Distance of the lines of a maze ÷ Λ: lines of one direction, from noise, are .935 Λ apart (`facts.md` H).
+/// Distance of the lines of a maze ÷ Λ: lines of one direction, from noise, are .935 Λ apart (`facts.md` X).
 const PERIOD: f64 = 0.935;
 /// w/K₀ of a maze: with softer steps pieces of one direction grow at the cost of others.
 const SOFTNESS: f32 = 0.02;

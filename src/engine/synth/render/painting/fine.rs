@@ -59,10 +59,10 @@ impl Band<'_> {
         let painted = self.painted();
         let deep = matches!(samples, Samples::Rgb16 | Samples::Rgba16);
         let channels = if matches!(samples, Samples::Rgba8 | Samples::Rgba16) { 4 } else { 3 };
-        let row = self.painting.size[0] * samples.bytes();
+        let row = self.width * samples.bytes();
         bytes.par_chunks_mut(row.max(1)).enumerate().for_each(|(y, row)| {
             for (x, out) in row.chunks_exact_mut(samples.bytes()).enumerate() {
-                let px = y * self.painting.size[0] + x;
+                let px = y * self.width + x;
                 let mut colour = colours.at(&painted, px);
                 if channels == 3 {
                     colour = over(colour, WHITE);

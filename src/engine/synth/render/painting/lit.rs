@@ -6,6 +6,7 @@ use crate::grid::Edges;
 use crate::synth::render::lit::{Pictures, from_above};
 use crate::synth::render::painting::Painting;
 use crate::synth::render::painting::fine::{Colours, to_u8};
+use crate::synth::render::painting::finished::encode;
 use crate::synth::watch::Watch;
 
 impl Painting<'_> {
@@ -16,7 +17,10 @@ impl Painting<'_> {
     pub fn lit(&self, surface: &Surface, edges: Edges, watch: &Watch) -> Vec<u8> {
         let [width, height] = self.size;
         let mut rgba = vec![0; 4 * width * height];
-        self.band(0..height).paint_fine(&Colours::new(self, false), Samples::Rgba8, &mut rgba);
+        match self.finished() {
+            Some(finished) => encode(finished, 0, false, Samples::Rgba8, &mut rgba),
+            None => self.band(0..height).paint_fine(&Colours::new(self, false), Samples::Rgba8, &mut rgba),
+        }
         let relief = self.relief(0..height, surface, edges, watch);
         from_above(&Pictures {
             size: self.size,

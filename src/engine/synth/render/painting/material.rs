@@ -5,11 +5,12 @@ use std::ops::Range;
 
 use crate::export::Stopped;
 use crate::export::gltf::Plane;
-use crate::export::maps::{Green, Surface, encoded};
+use crate::export::maps::{Green, Surface, encoded, share_of};
 use crate::export::material::{Failed, Map, Set, id_colour, write};
 use crate::grid::{Edges, to_u16};
 use crate::synth::render::painting::Painting;
 use crate::synth::render::painting::fine::{Colours, to_u8};
+use crate::synth::render::painting::finished::encode;
 use crate::synth::render::painting::relief::radius;
 use crate::synth::watch::{Stage, Watch};
 
@@ -111,17 +112,22 @@ impl Work<'_> {
     /// Computes `rows` of all `maps`. The result has no meaning once `watch` is cancelled.
     fn band(&self, rows: Range<usize>, maps: &[Map], bands: &mut [Vec<u8>], watch: &Watch) {
         let relief = self.painting.relief(rows.clone(), self.surface, self.edges, watch);
-        let layers = relief.layers;
+        let first = rows.start * self.painting.size[0];
         let painted = self.painting.band(rows);
         for (map, bytes) in maps.iter().zip(bands) {
             match map {
                 Map::BaseColour => {
-                    painted.paint_fine(self.colours, map.samples(self.set.deep, self.set.transparent), bytes);
+                    let samples = map.samples(self.set.deep, self.set.transparent);
+                    if let Some(finished) = self.painting.finished() {
+                        encode(finished, first, false, samples, bytes);
+                        continue;
+                    }
+                    painted.paint_fine(self.colours, samples, bytes);
                 }
                 Map::Opacity => painted.opacity(self.colours, bytes),
                 Map::Height => {
                     for (two, height) in bytes.chunks_exact_mut(2).zip(&relief.heights) {
-                        two.copy_from_slice(&to_u16(self.surface.normalised(*height, layers)).to_be_bytes());
+                        two.copy_from_slice(&to_u16(share_of(*height, relief.range)).to_be_bytes());
                     }
                 }
                 Map::NormalGl => self.encode(&relief.normals, Green::Up, bytes),

@@ -14,8 +14,8 @@ const FARTHEST: usize = 96;
 
 /// Some rows of a relief, one value a px.
 pub(super) struct Relief {
-    /// Shown layers.
-    pub layers: usize,
+    /// The lowest and the highest height that is possible, px of the picture.
+    pub range: [f64; 2],
     /// Height above the ground, px of the picture.
     pub heights: Vec<f32>,
     /// x to the right, y up, z out of the picture.
@@ -46,23 +46,45 @@ impl Painting<'_> {
         let radius = radius(surface, self.layers.len());
         let mut shared = self.patterns(rows.clone(), radius, edges);
         shares(&mut shared);
-        let heights = match shared.is_empty() {
+        let mut heights = match shared.is_empty() {
             true => vec![0.0; width * (rows.len() + 2 * radius)],
             false => surface.height(&shared),
         };
+        let raised = self.raise(&mut heights, rows.clone(), radius, edges);
         let height = Height::new(&heights, width, radius, edges);
         let inner = radius * width..(radius + rows.len()) * width;
         let roughness = match shared.is_empty() {
             true => vec![surface.roughness.first().copied().unwrap_or(1.0) as f32; inner.len()],
             false => surface.roughness(&shared)[inner.clone()].to_vec(),
         };
+        let roughness = match self.finished() {
+            None => roughness,
+            Some(finished) => {
+                let px = rows.start * width..rows.end * width;
+                finished.surfels[px].iter().map(|surfel| surfel.roughness).collect()
+            }
+        };
+        let [low, high] = surface.range(shared.len());
         Relief {
-            layers: shared.len(),
+            range: [low + raised[0], high + raised[1]],
             normals: normals(&height),
             open: openness(&height, radius, watch.cancelled),
             heights: heights[inner].to_vec(),
             roughness,
         }
+    }
+
+    /// Adds the heights of the finish to those of `rows`, with `rim` rows above and below; returns the lowest and the highest of
+    /// them, px of the picture.
+    fn raise(&self, heights: &mut [f32], rows: Range<usize>, rim: usize, edges: Edges) -> [f64; 2] {
+        let Some(finished) = self.finished() else { return [0.0; 2] };
+        let ([width, height], scale) = (self.size, self.px_a_px());
+        let beyond = rows.start as isize - rim as isize..(rows.end + rim) as isize;
+        for (row, y) in heights.chunks_exact_mut(width).zip(beyond) {
+            let surfels = &finished.surfels[edges.index(y, height) * width..];
+            row.iter_mut().zip(surfels).for_each(|(height, surfel)| *height += scale * surfel.height);
+        }
+        finished.heights.map(|height| f64::from(scale * height))
     }
 
     /// The pattern of each shown layer in rows `rows`, plus `rim` rows above and below.

@@ -1,0 +1,97 @@
+//! The kinds of finishes, and what each one's size means.
+
+/// A material.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Short or long hair.
+    Fur,
+    /// Overlapping round scales.
+    FishScales,
+    /// Keeled scales side by side.
+    ReptileScales,
+    /// Granular skin.
+    Skin,
+    /// Dyed leather.
+    Leather,
+    /// Cloth in plain weave.
+    Cloth,
+    /// Cloth in twill weave.
+    Twill,
+    /// Ink on paper.
+    Ink,
+    /// Halftone print.
+    Print,
+}
+
+impl Kind {
+    /// Their names in documents.
+    pub const NAMES: [(&'static str, Self); 9] = [
+        ("fur", Self::Fur),
+        ("fish-scales", Self::FishScales),
+        ("reptile-scales", Self::ReptileScales),
+        ("skin", Self::Skin),
+        ("leather", Self::Leather),
+        ("cloth", Self::Cloth),
+        ("twill", Self::Twill),
+        ("ink", Self::Ink),
+        ("print", Self::Print),
+    ];
+
+    /// Its name in documents.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        Self::NAMES.iter().find(|(_, kind)| *kind == self).map_or("", |(name, _)| name)
+    }
+
+    /// What [`Finish::size`] is the size of.
+    #[must_use]
+    pub fn measure(self) -> &'static str {
+        match self {
+            Self::Fur => "mean length of a hair",
+            Self::FishScales | Self::ReptileScales => "width of a scale",
+            Self::Skin | Self::Leather => "width of a grain",
+            Self::Cloth | Self::Twill => "distance between two threads",
+            Self::Ink => "length of the fibres of the paper",
+            Self::Print => "distance between two dots of a screen",
+        }
+    }
+
+    /// The size of a finish that states none, px of the document.
+    #[must_use]
+    pub fn usual_size(self) -> f64 {
+        match self {
+            Self::Fur | Self::Skin | Self::Ink => 10.0,
+            Self::FishScales => 14.0,
+            Self::ReptileScales => 16.0,
+            Self::Leather => 9.0,
+            Self::Cloth => 6.0,
+            Self::Twill | Self::Print => 5.0,
+        }
+    }
+
+    /// Whether the flow of a document changes it.
+    #[must_use]
+    pub fn has_flow(self) -> bool {
+        matches!(self, Self::Fur | Self::FishScales | Self::ReptileScales)
+    }
+}
+
+/// The finish of a texture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Finish {
+    /// The material.
+    pub kind: Kind,
+    /// The size of its parts, px of the document: what [`Kind::measure`] says.
+    pub size: f64,
+}
+
+impl Finish {
+    /// The least and the greatest size, px.
+    pub const SIZES: [f64; 2] = [2.0, 64.0];
+
+    /// A finish of the usual size.
+    #[must_use]
+    pub fn new(kind: Kind) -> Self {
+        Self { kind, size: kind.usual_size() }
+    }
+}

@@ -1,0 +1,127 @@
+//! A painting with its finish: the whole picture in one piece, since hairs and marks reach over any band of rows.
+
+use std::sync::OnceLock;
+
+use crate::document::Document;
+use crate::export::png::Samples;
+use crate::finish::{Finish, Finished, Flow, Source};
+use crate::grid::{Edges, to_u16};
+use crate::synth::render::painting::fine::{Colours, to_u8};
+use crate::synth::render::painting::{Painting, flow};
+
+/// Rows of the unfinished picture that are painted together.
+const ROWS: usize = 256;
+
+/// The finish of a painting.
+pub(super) struct Applied {
+    finish: Finish,
+    flow: Flow,
+    edges: Edges,
+    seed: u64,
+    /// The finished picture, once it is needed, with its size.
+    done: OnceLock<Finished>,
+}
+
+impl Applied {
+    /// The finish of `document` on a canvas of `canvas` px, if it has one.
+    pub fn of(document: &Document, canvas: [f64; 2]) -> Option<Self> {
+        let finishing = document.finish.as_ref()?;
+        Some(Self {
+            finish: finishing.finish,
+            flow: flow::of(document, &finishing.flow, canvas),
+            edges: document.edges,
+            seed: document.seed,
+            done: OnceLock::new(),
+        })
+    }
+}
+
+impl Painting<'_> {
+    /// The painting without the finish of its document.
+    #[must_use]
+    pub fn unfinished(self) -> Self {
+        Self { finish: None, ..self }
+    }
+
+    /// Whether it has a finish.
+    #[must_use]
+    pub fn has_finish(&self) -> bool {
+        self.finish.is_some()
+    }
+
+    /// The finished picture, if the document has a finish. It is computed when it is needed first.
+    pub(super) fn finished(&self) -> Option<&Finished> {
+        let applied = self.finish.as_ref()?;
+        Some(applied.done.get_or_init(|| {
+            let canvas = self.canvas.map(|side| (side.round() as usize).max(1));
+            // A picture that is smaller than the canvas shows the mean of its px.
+            let is_small = (0..2).any(|axis| self.size[axis] < canvas[axis]);
+            let size = if is_small { canvas } else { self.size };
+            let labels = self.plain_labels(size);
+            let finish = applied.finish;
+            let reach = match size == canvas {
+                true => finish.reach(&labels, canvas, applied.edges),
+                false => finish.reach(&self.plain_labels(canvas), canvas, applied.edges),
+            };
+            let rgb = self.plain_rgb(size);
+            let finished = finish.paint(&Source {
+                size,
+                canvas: canvas.map(|side| side as f32),
+                edges: applied.edges,
+                rgb: &rgb,
+                labels: &labels,
+                flow: &applied.flow,
+                reach: &reach,
+                seed: applied.seed,
+            });
+            if is_small { finished.reduced(self.size) } else { finished }
+        }))
+    }
+
+    /// px of the picture along each px of the document.
+    pub(super) fn px_a_px(&self) -> f32 {
+        (self.size[0] as f64 / self.canvas[0]) as f32
+    }
+
+    /// The colours without a finish, at `size` px: red, green, blue a px.
+    fn plain_rgb(&self, size: [usize; 2]) -> Vec<u8> {
+        let mut rgb = vec![0; 3 * size[0] * size[1]];
+        let colours = (!self.is_opaque_without_finish()).then(|| Colours::new(self, false));
+        for (band, bytes) in rgb.chunks_mut(3 * ROWS * size[0]).enumerate() {
+            let first = band * ROWS;
+            let band = self.band_at(first..size[1].min(first + ROWS), size);
+            match &colours {
+                None => band.paint(bytes),
+                Some(colours) => band.paint_fine(colours, Samples::Rgb8, bytes),
+            }
+        }
+        rgb
+    }
+
+    /// The labels at `size` px.
+    fn plain_labels(&self, size: [usize; 2]) -> Vec<u8> {
+        let mut labels = vec![0; size[0] * size[1]];
+        for (band, bytes) in labels.chunks_mut(ROWS * size[0]).enumerate() {
+            let first = band * ROWS;
+            self.band_at(first..size[1].min(first + ROWS), size).labels(bytes);
+        }
+        labels
+    }
+}
+
+/// Writes the colours of `finished` px from `first` on in the format of `samples`: in the light, or without.
+pub(super) fn encode(finished: &Finished, first: usize, lit: bool, samples: Samples, bytes: &mut [u8]) {
+    let deep = matches!(samples, Samples::Rgb16 | Samples::Rgba16);
+    for (out, surfel) in bytes.chunks_exact_mut(samples.bytes()).zip(&finished.surfels[first..]) {
+        let [red, green, blue] = if lit { surfel.lit() } else { surfel.albedo() };
+        // Samples without opacity have one channel less.
+        let values = [red, green, blue, 1.0];
+        if deep {
+            for (two, value) in out.chunks_exact_mut(2).zip(values) {
+                two.copy_from_slice(&to_u16(value).to_be_bytes());
+            }
+        } else {
+            out.iter_mut().zip(values).for_each(|(out, value)| *out = to_u8(value));
+        }
+    }
+}
