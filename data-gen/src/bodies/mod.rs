@@ -1,5 +1,6 @@
 //! Comparisons of growth on models: other triangulations of one surface, and other ways to compute diffusion on it.
 
+mod eigenvector;
 mod figure;
 mod parametric;
 mod spread;
@@ -20,6 +21,12 @@ pub struct Args {
 
 #[derive(clap::Subcommand)]
 enum What {
+    /// Grow stripes, and compute stripes by the smallest eigenvector (Knöppel et al. 2015) for the same directions and wavelength
+    Stripes {
+        /// Seeds of the grown ones
+        #[arg(long, default_value_t = 3)]
+        seeds: u64,
+    },
     /// Grow on four triangulations of the same surface (the animal), and on meshes with fewer triangles
     Meshes {
         /// Seeds for each mesh
@@ -49,6 +56,7 @@ enum What {
 /// Grows all and prints tables as Markdown.
 pub fn run(args: &Args) -> Result<(), String> {
     match &args.what {
+        What::Stripes { seeds } => eigenvector::table(*seeds),
         What::Meshes { seeds } => {
             whole::table(*seeds)?;
             spread::table(*seeds)

@@ -72,7 +72,8 @@ pub fn mtl(mut out: impl Write, parts: &[Coloured], skin: &Skin, roughness: &str
             let (colours, normals) = (file(skin.base_colour), file(skin.normal));
             // `norm` and `map_Pr` are those of the PBR extension of the format. Blender 5.0 reads `map_Pr`, but normals only as `map_Bump`,
             // of the strength `-bm`, which is 0 by default; readers that take `map_Bump` for heights prefer `norm`.
-            text += &format!("map_Kd {colours}\nmap_Bump -bm 1 {normals}\nnorm {normals}\nmap_Pr {roughness}\n");
+            text +=
+                &format!("map_Kd {colours}\nmap_Bump -bm 1 {normals}\nnorm {normals}\nmap_Pr {roughness}\n");
             if skin.transparent {
                 text += &format!("map_d {colours}\n");
             }

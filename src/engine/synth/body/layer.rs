@@ -1,7 +1,7 @@
 //! A layer that has grown on a model.
 
 use crate::synth::body::plan::BodyPlan;
-use crate::synth::body::threshold::Levelled;
+use crate::synth::body::threshold::{Levelled, Measured};
 
 /// A layer that has grown on a model.
 pub struct BodyLayer {
@@ -18,6 +18,14 @@ pub struct BodyLayer {
 }
 
 impl BodyLayer {
+    /// This layer with another pattern, one value a vertex, that is measured in the same way.
+    #[must_use]
+    pub fn with_pattern(mut self, pattern: Vec<f32>) -> Self {
+        self.levelled.measured = Measured::new(&self.plan, &pattern);
+        self.levelled.pattern = pattern;
+        self
+    }
+
     /// How many spots have grown.
     #[must_use]
     pub fn spots(&self) -> usize {
