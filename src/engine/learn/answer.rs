@@ -30,6 +30,22 @@ pub struct Answer {
     pub notes: Vec<Note>,
 }
 
+impl Answer {
+    /// The answer of a law: it holds for the question itself, and no rows say how exactly.
+    #[must_use]
+    pub fn of_law(parameters: Parameters, wanted: Attributes) -> Self {
+        Self {
+            parameters,
+            predicted: wanted,
+            interval: Vec::new(),
+            coverage: Coverage::Inside,
+            nearest: wanted,
+            notes: Vec::new(),
+            pitch: 1.0,
+        }
+    }
+}
+
 impl Lengths for Answer {
     fn scaled(self, factor: f64) -> Self {
         Self {

@@ -10,7 +10,7 @@ pub mod patches;
 use crate::attributes::{Attributes, Spots, Spread};
 use crate::document::{After, AreaKind, Document, RaggedChoice, Stroke};
 use crate::grid::Bounds;
-use crate::learn::{self, Answer, Coverage};
+use crate::learn::{self, Answer};
 use crate::marks::Mark;
 use crate::points::patches::Wanted;
 use crate::rd::System;
@@ -159,18 +159,11 @@ fn cells(gap: f64) -> PolygonForm {
     PolygonForm { gap, relaxed: 0, learnt: LearntFactors::NONE }
 }
 
+/// Parameters that only lay places.
 fn answer(wanted: Attributes, rate: f64, stretch: f64) -> Answer {
     let parameters =
         learn::Parameters { rate, ratio: Some(RATIO), stretch, direction: 0.0, level: Some(0.5) };
-    Answer {
-        parameters,
-        predicted: wanted,
-        interval: Vec::new(),
-        coverage: Coverage::Inside,
-        nearest: wanted,
-        notes: Vec::new(),
-        pitch: 1.0,
-    }
+    Answer::of_law(parameters, wanted)
 }
 
 #[cfg(test)]

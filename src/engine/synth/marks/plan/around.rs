@@ -5,7 +5,7 @@
 
 use crate::attributes::{AttributeMap, Attributes, Polarity, Spots, Stripes};
 use crate::document::After;
-use crate::learn::{self, Answer, Coverage};
+use crate::learn::{self, Answer};
 use crate::rd::{LinesAlongCurves, System};
 use crate::synth::error::PlanError;
 use crate::synth::marks::plan::asked::Asked;
@@ -49,15 +49,7 @@ pub fn law(kind: CurveKind, laws: &LinesAlongCurves, wanted: &Attributes, cell: 
         direction: 0.0,
         level: Some(0.5),
     };
-    Answer {
-        parameters,
-        predicted: *wanted,
-        interval: Vec::new(),
-        coverage: Coverage::Inside,
-        nearest: *wanted,
-        notes: Vec::new(),
-        pitch: 1.0,
-    }
+    Answer::of_law(parameters, *wanted)
 }
 
 /// (Mean spacing of the spots − their diameter) ÷ the distance that lines between them need. Below the first value most
