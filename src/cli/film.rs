@@ -18,7 +18,7 @@ use crate::synth::render::clip::{self, Clip, ClipError};
 use crate::synth::render::film::Scene;
 use crate::synth::render::morph::{Morph, MorphError};
 use crate::synth::{Options, Watch};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
 /// Arguments of `dapple film`.
@@ -88,6 +88,14 @@ impl Args {
     fn clip(&self) -> Clip {
         let Self { side, seconds, fps, once, hold, .. } = *self;
         Clip { side, seconds, fps, once, hold: hold.unwrap_or(Clip::default().hold) }
+    }
+
+    /// Says that the film shows the texture without the finish of its document.
+    fn say_finish(&self, document: &Document) {
+        if let (false, Some(finishing)) = (self.quiet, &document.finish) {
+            let (file, kind) = (self.file.display(), finishing.finish.kind.name());
+            super::note(&format!("{file}: films show the texture without its finish, {kind}"));
+        }
     }
 
     /// Says which given options do nothing.
@@ -179,17 +187,9 @@ pub fn run(args: &Args) -> Result<(), Error> {
     bar.clear();
     let (prepared, _) = written.map_err(film_error)?;
     prepared.keep().map_err(Error::step)?;
-    if !args.quiet {
-        finish_left_out(&document, &args.file).iter().for_each(|line| super::note(line));
-    }
+    args.say_finish(&document);
     args.say_idle(kind);
     Ok(())
-}
-
-/// A note that a film of `document` shows it without its finish.
-fn finish_left_out(document: &Document, file: &Path) -> Option<String> {
-    let kind = document.finish.as_ref()?.finish.kind.name();
-    Some(format!("{}: films show the texture without its finish, {kind}", file.display()))
 }
 
 /// The error of this command for an error of the film.

@@ -281,8 +281,7 @@ fn grow_one(
         super::print(&report.text()?)?;
     }
     if !args.quiet {
-        say_notes(&report.report.layers, drawn.as_ref());
-        finish::note(args, &document).iter().for_each(|line| super::note(line));
+        say_notes(&report.report.layers, drawn.as_ref(), finish::note(args, &document).as_deref());
     }
     Ok(thumbnail.map(|side| Thumbnail::new(&document, &grown, side)))
 }
@@ -300,12 +299,13 @@ fn task<'a>(document: &'a Document, extent: Extent, source: &'a str) -> Task<'a>
     Task { document, size, source, scale: extent.scale, machine: this_machine() }
 }
 
-/// Prints the notes on the layers, and on the outlines that were `drawn`.
-fn say_notes(layers: &[LayerReport], drawn: Option<&outlines::Drawn>) {
+/// Prints the notes on the layers, on the outlines that were `drawn`, and on the finish.
+fn say_notes(layers: &[LayerReport], drawn: Option<&outlines::Drawn>, finish: Option<&str>) {
     notes(layers).iter().for_each(|line| super::note(line));
     if let Some(drawn) = drawn {
         super::note(&drawn.text());
     }
+    finish.into_iter().for_each(super::note);
 }
 
 /// The document, with the seed and the pictures that the arguments name.

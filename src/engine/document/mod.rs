@@ -152,6 +152,7 @@ mod writer;
 
 pub use crate::attributes::Spread;
 pub use crate::colour::{Gradient, PRESETS, Preset};
+pub use crate::finish::{Finish, Kind as FinishKind};
 pub use crate::grid::Edges;
 pub use crate::marks::{Ellipse, Line, Path};
 pub use crate::rd::pairs::PairKind;

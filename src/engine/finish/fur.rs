@@ -14,6 +14,7 @@ use rayon::prelude::*;
 use super::flow::turned;
 use super::noise::{Noise, Random, floor, part_seed, whole_cells, wrapped};
 use super::surfel::{Source, Surfel};
+use crate::grid::Edges;
 
 /// Layers of hairs, the lowest first.
 const LAYERS: usize = 4;
@@ -117,29 +118,28 @@ impl<'a> Fur<'a> {
         LENGTHS[1] * self.length * (1.0 + BEND) + WIDEST * self.width + 2.0
     }
 
-    /// The hair of a cell; a column or row outside the lattice is one of the next tile.
+    /// The hair of a cell; outside the lattice the hairs of a tile repeat.
     fn hair(&self, layer: usize, [column, row]: [i32; 2]) -> Hair {
         let place = [wrapped(column, self.cells[0]), wrapped(row, self.cells[1])];
         let mut random = Random::of(self.seeds[layer], place.map(|place| place as u32));
         let jitter = [random.number(), random.number()];
         let root = [column as f32 + jitter[0], row as f32 + jitter[1]];
         let root = [root[0] * self.cell[0], root[1] * self.cell[1]];
-        let inside = [0, 1].map(|axis| (place[axis] as f32 + jitter[axis]) * self.cell[axis]);
-        let [slow, lock, strand] = [0, 1, 2].map(|k| self.sway[k].at(inside));
+        let [slow, lock, strand] = [0, 1, 2].map(|k| self.sway[k].at(root));
         let turn = 0.3 * slow + 0.3 * lock + 0.22 * strand + 0.1 * random.signed();
-        let along = turned(self.source.flow.at(inside), turn);
+        let along = turned(self.source.flow.at(root), turn);
         let [shortest, longest] = LENGTHS;
         let length = self.length * (shortest + (longest - shortest) * random.number());
         let half_width = 0.5 * self.width * (0.6 + (WIDEST - 0.6) * random.number());
         let bend = BEND * length * random.signed();
-        let anchor = [0, 1].map(|axis| inside[axis] + ANCHOR * length * along[axis]);
+        let anchor = [0, 1].map(|axis| root[axis] + ANCHOR * length * along[axis]);
         let carried = self.source.reach.at(anchor, length) / length;
         // From the upper left; hairs across the light are the brightest.
         let across = std::f32::consts::FRAC_1_SQRT_2 * (along[0] - along[1]).abs();
         let hair = 1.0 + 0.3 * random.signed();
         let glossy = random.number();
-        let locks = 1.0 + 0.2 * self.shade[0].at(inside);
-        let coat = 1.0 + 0.1 * self.shade[1].at(inside);
+        let locks = 1.0 + 0.2 * self.shade[0].at(root);
+        let coat = 1.0 + 0.1 * self.shade[1].at(root);
         Hair {
             root,
             along,
@@ -264,11 +264,14 @@ pub fn paint_plainly(source: &Source, length: f32) -> Vec<Surfel> {
         for layer in 0..LAYERS {
             for row in around(point[1], 1) {
                 // In the order of the columns of the tile; beyond its border the hairs of the other side.
+                let wraps = source.edges == Edges::Wrap;
                 let mut columns: Vec<i32> = around(point[0], 0).collect();
-                columns.sort_by_key(|column| wrapped(*column, fur.cells[0]));
+                columns.sort_by_key(
+                    |column| if wraps { wrapped(*column, fur.cells[0]) as i32 } else { *column },
+                );
                 for column in columns {
-                    let tiles = column.div_euclid(fur.cells[0] as i32);
-                    let hair = fur.hair(layer, [column.rem_euclid(fur.cells[0] as i32), row]);
+                    let tiles = if wraps { column.div_euclid(fur.cells[0] as i32) } else { 0 };
+                    let hair = fur.hair(layer, [column - tiles * fur.cells[0] as i32, row]);
                     let x = place[0] as i32 - tiles * width as i32;
                     let point = [(x as f32 + 0.5) * (1.0 / scale[0]), point[1]];
                     let from_root = [point[0] - hair.root[0], point[1] - hair.root[1]];
@@ -292,7 +295,7 @@ impl Fur<'_> {
             let from = ((top - self.farthest()) / self.cell[1]).floor() as i32;
             let to = ((bottom + self.farthest()) / self.cell[1]).ceil() as i32;
             for row in from..=to {
-                for column in 0..self.cells[0] as i32 {
+                for column in self.columns() {
                     let hair = self.hair(layer, [column, row]);
                     let tip = hair.root[1] + hair.length * hair.along[1];
                     let margin = hair.bend.abs() + hair.half_width + 1.0;
@@ -300,6 +303,18 @@ impl Fur<'_> {
                         self.paint_hair(&hair, first, rows);
                     }
                 }
+            }
+        }
+    }
+
+    /// Columns of the lattice whose hairs reach the picture. On a tile those of its own: they continue at the other side.
+    fn columns(&self) -> Range<i32> {
+        let columns = self.cells[0] as i32;
+        match self.source.edges {
+            Edges::Wrap => 0..columns,
+            Edges::Closed => {
+                let beyond = floor(self.farthest() / self.cell[0]) + 1;
+                -beyond..columns + beyond
             }
         }
     }
@@ -321,9 +336,13 @@ impl Fur<'_> {
             hair.along[axis].abs() - 2.0 * hair.bend.abs() * hair.per_length * hair.along[other].abs();
         let half = (hair.half_width + 0.5 * per_scale[0] + 0.02 * hair.bend.abs()) / least;
         let strip = first as i32..(first + rows.len() / width) as i32;
-        let within = |range: Range<i32>, is_row: bool| match is_row {
-            true => range.start.max(strip.start)..range.end.min(strip.end),
-            false => range,
+        let across = match self.source.edges {
+            Edges::Wrap => i32::MIN..i32::MAX,
+            Edges::Closed => 0..width as i32,
+        };
+        let within = |range: Range<i32>, is_row: bool| {
+            let allowed = if is_row { &strip } else { &across };
+            range.start.max(allowed.start)..range.end.min(allowed.end)
         };
         let lines = floor(root[axis] + (low - margin) * scale[axis])
             ..floor(root[axis] + (high + margin) * scale[axis]) + 1;

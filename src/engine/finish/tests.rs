@@ -146,14 +146,46 @@ fn the_number_of_threads_does_not_change_a_byte() {
 
 #[test]
 fn hairs_painted_one_after_the_other_equal_those_found_px_by_px() {
-    let finish = Finish { kind: Kind::Fur, size: 8.0 };
-    for scale in [1, 2] {
-        of(finish, scale, |source| {
-            let (fast, plain) = (fur::paint(source, 8.0), fur::paint_plainly(source, 8.0));
-            let different = fast.iter().zip(&plain).filter(|(fast, plain)| fast != plain).count();
-            assert_eq!(different, 0, "of {} px", plain.len());
-        });
+    const CANVAS: [usize; 2] = [28, 18];
+    let finish = Finish { kind: Kind::Fur, size: 6.0 };
+    let labels = |scale: usize| -> Vec<u8> {
+        let width = CANVAS[0] * scale;
+        (0..width * CANVAS[1] * scale).map(|px| u8::from(px % width / scale % 14 < 6)).collect()
+    };
+    let one = labels(1);
+    for (edges, scale) in [(Edges::Wrap, 1), (Edges::Wrap, 2), (Edges::Closed, 1)] {
+        let labels = labels(scale);
+        let rgb: Vec<u8> = labels.iter().flat_map(|label| [200 - 150 * label; 3]).collect();
+        let reach = finish.reach(&one, CANVAS, edges);
+        let flow = Flow::uniform(200.0);
+        let source = Source {
+            size: CANVAS.map(|side| side * scale),
+            canvas: CANVAS.map(|side| side as f32),
+            edges,
+            rgb: &rgb,
+            labels: &labels,
+            flow: &flow,
+            reach: &reach,
+            seed: 5,
+        };
+        let (fast, plain) = (fur::paint(&source, 6.0), fur::paint_plainly(&source, 6.0));
+        let different = fast.iter().zip(&plain).filter(|(fast, plain)| fast != plain).count();
+        assert_eq!(different, 0, "of {} px, {edges:?} at {scale}", plain.len());
     }
+}
+
+#[test]
+fn hair_at_a_closed_border_has_no_colour_of_the_other_side() {
+    let (size, finish) = ([60, 24], Finish { kind: Kind::Fur, size: 12.0 });
+    let labels: Vec<u8> = (0..60 * 24).map(|px| u8::from(px % 60 >= 30)).collect();
+    let rgb: Vec<u8> = labels.iter().flat_map(|label| [255 * label; 3]).collect();
+    let (reach, flow) = (finish.reach(&labels, size, Edges::Closed), Flow::uniform(0.0));
+    let (canvas, edges) = ([60.0, 24.0], Edges::Closed);
+    let source =
+        Source { size, canvas, edges, rgb: &rgb, labels: &labels, flow: &flow, reach: &reach, seed: 1 };
+    let surfels = finish.paint(&source).surfels;
+    let at_the_left = (0..24 * 12).map(|px| surfels[px / 12 * 60 + px % 12].ink).fold(0.0, f32::max);
+    assert!(at_the_left < 0.01, "{at_the_left}");
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use super::*;
 use dapple::document::{Axis, Body, BodyEllipse, BodyMark, BodySource, ParametricSurface, Pin, Relief};
+use dapple::document::{Finish, FinishKind, Finishing, FlowChoice};
 
 fn number(low: f64, high: f64) -> impl Strategy<Value = f64> {
     prop_oneof![low..=high, (low.ceil() as i64..=high.floor() as i64).prop_map(|x| x as f64)]
@@ -96,9 +97,32 @@ fn document() -> impl Strategy<Value = Document> {
             layers[0].on_model.extend(mark);
             let (size, growth) = ([512, 256], Growth { refine });
             let starred = Vec::new();
-            Document { name, size, regions, edges, seed, dpi, growth, model, parametric, layers, starred }
+            // A model takes no finish.
+            let finish = finish(seed).filter(|_| model.is_none());
+            Document {
+                name,
+                size,
+                regions,
+                edges,
+                seed,
+                dpi,
+                growth,
+                model,
+                parametric,
+                finish,
+                layers,
+                starred,
+            }
         },
     )
+}
+
+/// One of all finishes, or none.
+fn finish(seed: u64) -> Option<Finishing> {
+    let (_, kind) = *FinishKind::NAMES.get((seed % (FinishKind::NAMES.len() as u64 + 1)) as usize)?;
+    let size = 2.0 + (seed % 61) as f64;
+    let flow = if kind.has_flow() { FlowChoice::Angle((seed % 359) as f64) } else { FlowChoice::Usual };
+    Some(Finishing { finish: Finish { kind, size }, flow })
 }
 
 /// A surface that has a flat map; its height picture is not read.
