@@ -6,8 +6,8 @@ use std::sync::Arc;
 use egui::{ColorImage, ThemePreference};
 
 use super::canvas::Nib;
-use super::canvas::reference::Placement;
 use super::canvas::tool::Tool;
+use crate::editor::backdrop::Placement;
 use crate::editor::edit::Edit;
 use crate::editor::layer_action::LayerAction;
 use crate::editor::picture_use::PictureUse;

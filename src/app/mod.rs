@@ -44,12 +44,12 @@ mod units;
 mod window;
 
 pub use crate::editor::selection::{Place, Selection};
+pub use crate::editor::backdrop::Placement;
 pub use crate::editor::session::Session;
 pub use crate::editor::task::Spawn;
 pub use crate::editor::units::{Ruler, Units};
 pub use action::{Action, Page, Tab};
 pub use alternatives::{Alternative, Alternatives, small};
-pub use canvas::reference::Placement;
 pub use canvas::tool::Tool;
 pub use canvas::wanted::Glyph;
 pub use cloud::{Axis, Cloud, Points};

@@ -3,6 +3,7 @@
 
 pub mod arithmetic;
 pub mod arrange;
+pub mod backdrop;
 pub mod clipboard;
 pub mod edit;
 pub mod file_lock;

@@ -11,6 +11,7 @@ mod split;
 use crate::document::layer_rules::tidy;
 use crate::document::{After, AreaKind, Document, Kind, Layer, Stroke};
 use crate::editor::freehand;
+use crate::editor::backdrop::Backdrop;
 use crate::editor::history::{History, Snapshot};
 use crate::editor::selection::{Place, Selection};
 use crate::editor::shape;
@@ -33,6 +34,8 @@ pub struct Session {
     /// The state after the last undo step.
     committed: Snapshot,
     /// The document in the state in which the file holds it.
+    /// The picture under the canvas, to draw over; it is not saved.
+    backdrop: Option<Backdrop>,
     saved: Document,
     /// The spacing that applies far from the ellipses of each layer, after the last undo step; `None` = not computed
     /// yet.
@@ -57,7 +60,8 @@ impl Session {
     pub fn open(document: Document, path: Option<PathBuf>) -> Self {
         let active_layer = document.layers.len().saturating_sub(1);
         let selection = Selection::default();
-        let committed = Snapshot { document: document.clone(), selection, active_layer, frozen: 0 };
+        let committed =
+            Snapshot { document: document.clone(), selection, active_layer, frozen: 0, backdrop: None };
         let marks = fitted(&document, &Document::default(), &[]);
         let areas = areas(&document, &marks);
         Self {
@@ -70,6 +74,7 @@ impl Session {
             history: History::default(),
             committed,
             far_spacing: None,
+            backdrop: None,
             areas,
             marks,
             revision: 0,
@@ -144,7 +149,7 @@ impl Session {
 
     /// Makes the changes since the last commit one undo step; returns whether there were any.
     pub fn commit(&mut self) -> bool {
-        if self.document == self.committed.document {
+        if !self.is_uncommitted() {
             self.committed.selection.clone_from(&self.selection);
             (self.committed.active_layer, self.committed.frozen) = (self.active_layer, self.frozen);
             return false;
@@ -179,7 +184,29 @@ impl Session {
     #[must_use]
     pub fn can_undo_redo(&self) -> [bool; 2] {
         let [undo, redo] = self.history.can_undo_redo();
-        [undo || self.document != self.committed.document, redo]
+        [undo || self.is_uncommitted(), redo]
+    }
+
+    /// Whether something has changed since the last undo step.
+    fn is_uncommitted(&self) -> bool {
+        self.document != self.committed.document || self.backdrop != self.committed.backdrop
+    }
+
+    /// The picture under the canvas.
+    #[must_use]
+    pub fn backdrop(&self) -> Option<&Backdrop> {
+        self.backdrop.as_ref()
+    }
+
+    /// Changes the picture under the canvas. The next [`Self::commit`] makes the change an undo step.
+    pub fn set_backdrop(&mut self, backdrop: Option<Backdrop>) {
+        self.backdrop = backdrop;
+    }
+
+    /// Sets the picture with which the document was opened; that cannot be undone.
+    pub fn open_backdrop(&mut self, backdrop: Option<Backdrop>) {
+        self.committed.backdrop.clone_from(&backdrop);
+        self.backdrop = backdrop;
     }
 
     fn snapshot(&self) -> Snapshot {
@@ -189,6 +216,7 @@ impl Session {
             active_layer: self.active_layer,
             frozen: self.frozen,
         }
+            backdrop: self.backdrop.clone(),
     }
 
     fn restore(&mut self, snapshot: Snapshot) {
@@ -198,6 +226,7 @@ impl Session {
         self.selection.clone_from(&snapshot.selection);
         (self.active_layer, self.frozen) = (snapshot.active_layer, snapshot.frozen);
         self.committed = snapshot;
+        self.backdrop.clone_from(&snapshot.backdrop);
     }
 
     /// Whether the document differs from its file.

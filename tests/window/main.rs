@@ -25,6 +25,7 @@ mod recovery;
 mod result;
 mod selecting;
 mod sights;
+mod reference;
 mod typing;
 mod views;
 

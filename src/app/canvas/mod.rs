@@ -169,9 +169,8 @@ impl Canvas {
     /// Cancels the gesture and undoes its changes. Returns whether there was a gesture.
     pub fn cancel(&mut self, session: &mut Session) -> bool {
         self.pressure = Pressure::default();
-        let Some(gesture) = self.gesture.take() else { return false };
-        if let Gesture::Reference(_, _, before) = gesture {
-            self.reference.place(before, session.document().size);
+        if self.gesture.take().is_none() {
+            return false;
         }
         session.revert();
         true

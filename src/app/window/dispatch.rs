@@ -114,10 +114,10 @@ impl Window {
                 }
             }
             Action::PlaceReference(placement) => {
-                self.canvas.reference.place(placement, self.session.document().size);
+                self.canvas.reference.place(&mut self.session, Some(placement));
             }
-            Action::FitReference => self.canvas.reference.fit(),
-            Action::RemoveReference => self.canvas.reference.clear(),
+            Action::FitReference => self.canvas.reference.place(&mut self.session, None),
+            Action::RemoveReference => self.session.set_backdrop(None),
             Action::Theme(theme) => {
                 self.settings.theme = theme;
                 ui.ctx().set_theme(theme);

@@ -314,7 +314,7 @@ impl Window {
 
     /// Receives messages from tasks and from the window system.
     pub(super) fn listen(&mut self, ui: &Ui) {
-        if let Err(why) = self.canvas.reference.listen(ui.ctx()) {
+        if let Err(why) = self.canvas.reference.follow(ui.ctx(), &mut self.session) {
             self.notices.wrong(why);
         }
         for why in platform::not_handed_over() {
