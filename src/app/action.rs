@@ -24,6 +24,8 @@ pub enum Beginning {
     Spots,
     /// A few lines.
     Stripes,
+    /// The marks of the example with this name.
+    Example(&'static str),
     /// A field of points with the blotches of a cow.
     Cow,
 }

@@ -7,6 +7,7 @@ mod far_spacing;
 mod layers;
 mod moving;
 mod split;
+mod starting;
 
 use crate::document::layer_rules::tidy;
 use crate::document::{After, AreaKind, Document, Kind, Layer, Stroke};

@@ -41,7 +41,7 @@ impl Starter {
         match self {
             Self::Spots => Action::Begin(Beginning::Spots),
             Self::Stripes => Action::Begin(Beginning::Stripes),
-            Self::Animal => Action::Example(ANIMAL),
+            Self::Animal => Action::Begin(Beginning::Example(ANIMAL)),
             Self::Cow => Action::Begin(Beginning::Cow),
         }
     }
@@ -88,7 +88,7 @@ fn card(ui: &Ui, rect: Rect, starter: Starter, name: &str) -> bool {
     let help = match starter {
         Starter::Spots => "Draws six spots; their texture grows at once",
         Starter::Stripes => "Draws four lines; their texture grows at once",
-        Starter::Animal => "Opens an example with two layers",
+        Starter::Animal => "Draws spots and rings on two layers; their texture grows at once",
         Starter::Cow => "Fills the canvas with blotches; nothing has to be drawn",
     };
     response.on_hover_text(help).clicked()

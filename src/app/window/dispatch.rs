@@ -77,7 +77,7 @@ impl Window {
             Action::Widen(by) => self.widen(by),
             Action::Align(axis) => self.session.align(axis),
             Action::Distribute(axis) => self.session.distribute(axis),
-            Action::Begin(beginning) => self.begin_with(beginning),
+            Action::Begin(beginning) => self.begin_with(ui, beginning),
             Action::ContextMenu => self.open_context_menu(),
             Action::Insert(ellipse) => self.insert(ellipse),
             Action::AnotherSeed => self.another_seed(),

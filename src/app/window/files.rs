@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use egui::{Align2, Color32, FontId, Id, Ui, ViewportCommand};
 
 use super::Window;
-use super::examples::ReadingExample;
+use super::examples::{ExampleUse, ReadingExample};
 use super::links::Unlinked;
 use super::palettes::PaletteFiles;
 use super::pictures::ReadingPicture;
@@ -200,7 +200,7 @@ impl Window {
             Action::OpenFile(path) => self.open(&path),
             Action::OpenLink(link) => self.open_link(&link),
             Action::Import => self.choose(Purpose::Import, ""),
-            Action::Example(name) => self.open_example(ui, name),
+            Action::Example(name) => self.read_example(ui, name, ExampleUse::Open),
             Action::Restore(id) => self.restore(&id),
             Action::TakePhoto => self.take_photo(),
             Action::Quit => self.close(ui),
