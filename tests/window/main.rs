@@ -21,6 +21,7 @@ mod leopard;
 mod links;
 mod outlines;
 mod preferences;
+mod opening;
 mod recovery;
 mod result;
 mod selecting;

@@ -25,7 +25,6 @@ impl Window {
     pub fn perform(&mut self, ui: &Ui, action: Action) {
         match action {
             Action::New
-            | Action::Open
             | Action::OpenFile(_)
             | Action::OpenLink(_)
             | Action::Import
@@ -33,6 +32,8 @@ impl Window {
             | Action::Example(_)
             | Action::Restore(_)
             | Action::Quit => self.unless_unsaved(ui, action),
+            // Whether something unsaved would be lost is asked once the file is known: a picture may be drawn over.
+            Action::Open => self.choose(Purpose::Open, ""),
             Action::Discard(id) => self.discard(&id),
             Action::ForgetRecent => self.settings.forget(),
             Action::Save => self.save(None),

@@ -125,6 +125,11 @@ impl Files {
 }
 
 impl Window {
+    /// Opens a file as if it were dropped: the user is asked what a picture is for.
+    pub(super) fn open_any(&mut self, path: PathBuf) {
+        self.inspect(vec![path]);
+    }
+
     /// Reads a document, the document in a picture, or a drawing on another thread, and opens it once it is read.
     pub(super) fn open(&mut self, path: &Path) {
         match reading::read(path, &self.tasks) {
@@ -196,7 +201,6 @@ impl Window {
     pub(super) fn go_on(&mut self, ui: &Ui, action: Action) {
         match action {
             Action::New => self.files.new = Some(self.settings.new.clone()),
-            Action::Open => self.choose(Purpose::Open, ""),
             Action::OpenFile(path) => self.open(&path),
             Action::OpenLink(link) => self.open_link(&link),
             Action::Import => self.choose(Purpose::Import, ""),
@@ -300,7 +304,8 @@ impl Window {
 
     pub(super) fn chosen(&mut self, purpose: Purpose, path: PathBuf) {
         match purpose {
-            Purpose::Open | Purpose::Import => self.open(&path),
+            Purpose::Open => self.open_any(path),
+            Purpose::Import => self.open(&path),
             Purpose::Save => self.save(Some(path)),
             Purpose::Export(_) | Purpose::ExportInto => self.export_chosen(&path),
             Purpose::Become => self.become_chosen(path),
@@ -358,11 +363,15 @@ impl Window {
                 Color32::WHITE,
             );
         }
-        if files.is_empty() {
-            return;
+        if !files.is_empty() {
+            self.inspect(files);
         }
         match reading::inspect(files, &self.tasks) {
             Ok(task) => self.files.inspecting = Some(task),
+    }
+
+    /// Finds out on another thread what each of these files is, and opens it accordingly.
+    fn inspect(&mut self, files: Vec<PathBuf>) {
             Err(error) => self.notices.wrong(error.to_string()),
         }
     }

@@ -107,7 +107,7 @@ impl Window {
         let searching = window.recovery.search();
         window.report(searching.err());
         if let Some(file) = start.file {
-            window.open(&file);
+            window.open_any(file);
         }
         if let Some(link) = start.link {
             window.open_link(&link);
