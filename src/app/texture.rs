@@ -90,10 +90,10 @@ impl TextureView {
         if self.tiled {
             return response;
         }
-        let grown = || badges.iter().filter(|badge| badge.has_grown);
+        let grown = badges.iter().filter(|badge| badge.has_grown);
         let ink = Ink { painter: &painter, view: &self.view, room };
-        badges::paint(&ink, grown(), Palette::current(ui.visuals()));
-        match response.hover_pos().and_then(|at| badges::told(grown(), self.view, room, at)) {
+        let (paper, colours) = (self.view.paper(room, size), Palette::current(ui.visuals()));
+        match badges::paint_beside(&ink, grown, paper, response.hover_pos(), colours) {
             Some(text) => response.on_hover_text_at_pointer(text),
             None => response,
         }

@@ -275,6 +275,16 @@ impl Session {
         self.areas.get(layer).copied().flatten()
     }
 
+    /// What a closed stroke on a layer becomes: one of it, with its article, and several of it.
+    #[must_use]
+    pub fn closed_strokes(&self, layer: usize) -> [&'static str; 2] {
+        match self.areas(layer) {
+            Some(AreaKind::Polygons) => ["a cell", "cells"],
+            Some(AreaKind::Patches) => ["a patch", "patches"],
+            None => ["an ellipse", "ellipses"],
+        }
+    }
+
     /// The mark of each stroke, by layer and stroke; `None` for a stroke that is not a mark.
     #[must_use]
     pub fn fitted_marks(&self) -> &[Vec<Option<Mark>>] {

@@ -11,6 +11,7 @@ mod documents;
 mod drawing;
 mod exporting;
 mod free_marks;
+mod glance;
 mod growing;
 mod hand;
 mod history;

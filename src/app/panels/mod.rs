@@ -33,7 +33,7 @@ pub use draw::{DrawState, draw};
 pub use growth_bar::growth_bar;
 pub use layers::{LayersPanel, layers};
 pub use menu::{MenuKeys, MenuState, menu};
-pub use result::{ResultPanel, ResultState, paint_signs, result};
+pub use result::{ResultPanel, ResultState, Signs, paint_signs, result};
 pub use sketch_bar::sketch_bar;
 pub use starters::starters;
 pub use status::status;

@@ -10,6 +10,7 @@ use super::places::Places;
 use crate::app::action::{Action, Tab};
 use crate::app::canvas::view::View;
 use crate::app::growth::GrowthState;
+use crate::app::panels::Signs;
 use crate::app::presentation::Presentation;
 use crate::app::small_screen::is_small;
 use crate::app::theme::Palette;
@@ -277,9 +278,9 @@ impl Window {
         let size = self.session.document().size;
         let texture = self.texture.ui(ui, right, size, &self.growth, &self.canvas.badges);
         let actions = panels::texture_menu(&texture, &self.growth);
-        self.signs(ui, left, self.canvas.view);
+        self.signs(ui, left, left, (self.canvas.view, Signs::Corners));
         if !self.texture.tiled {
-            self.signs(ui, right, self.texture.view);
+            self.signs(ui, right, right, (self.texture.view, Signs::Beside));
         }
         let line = ui.visuals().widgets.noninteractive.bg_stroke;
         ui.painter().line_segment(places.line(), line);
@@ -299,17 +300,17 @@ impl Window {
         self.texture.view = self.canvas.view;
         self.texture.paint(ui, &painter, body, self.session.document().size);
         self.canvas.paint_over(ui, body, seen, &self.session);
-        self.signs(ui, body, self.canvas.view);
+        self.signs(ui, body, body.with_max_x(x), (self.canvas.view, Signs::Corners));
         texture::divider(ui, body, &mut self.curtain);
         texture::paint_divider(ui, body, self.curtain);
     }
 
-    /// The results of the regions, as signs in their corners.
-    fn signs(&self, ui: &Ui, room: Rect, view: View) {
-        let (painter, palette) = (ui.painter_at(room), Palette::current(ui.visuals()));
+    /// The results of the regions, as signs, in the part `seen` of the `room` of the canvas.
+    fn signs(&self, ui: &Ui, room: Rect, seen: Rect, (view, signs): (View, Signs)) {
+        let (painter, palette) = (ui.painter_at(seen), Palette::current(ui.visuals()));
         // A missed region gets its sign on every tab.
         let all = self.tab == Tab::Result && self.result_panel.signs;
-        panels::paint_signs(&painter, room, view, all, (&self.session, &self.results), palette);
+        panels::paint_signs(&painter, room, view, (signs, all), (&self.session, &self.results), palette);
     }
 
     /// Where the views are linked, moves the other view as well.
