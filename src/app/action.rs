@@ -41,6 +41,8 @@ pub enum Action {
     OpenFile(PathBuf),
     /// Open the document in this link.
     OpenLink(String),
+    /// Read small sketches of the recently used documents.
+    ReadRecent,
     /// Forget the recently used documents.
     ForgetRecent,
     /// Open the example with this name.
@@ -132,6 +134,10 @@ pub enum Action {
     Tools(bool),
     /// Show the column on the right if it is hidden, else hide it.
     ToggleColumn,
+    /// Hide all panels beside sketch and texture; where they are hidden, show them.
+    TogglePanels,
+    /// Fill the screen with the window; where it does, give it back its size.
+    FullScreen,
     /// Show the texture over the sketch (true) or beside it (false).
     Over(bool),
     /// Show two by two tiles.

@@ -12,6 +12,7 @@ use super::canvas::view::View;
 use super::checkerboard;
 use super::growth::{Growth, GrowthState, Picture};
 use super::theme::Palette;
+use crate::editor::wheel::Wheel;
 
 /// The view of the texture.
 #[derive(Default)]
@@ -25,6 +26,8 @@ pub struct TextureView {
     pub view: View,
     /// Whether it is shown two by two, to check for seams.
     pub tiled: bool,
+    /// What the wheel does.
+    pub wheel: Wheel,
     /// The position of the pointer, px of the canvas.
     pub pointer: Option<[f64; 2]>,
 }
@@ -81,7 +84,7 @@ impl TextureView {
             self.view.fit(shown, room);
         }
         self.pointer = response.hover_pos().map(|at| self.view.to_canvas(room, at));
-        navigate(ui, &response, room, &mut self.view, true);
+        navigate(ui, &response, room, &mut self.view, self.wheel, true);
         let painter = ui.painter_at(room);
         self.paint(ui, &painter, room, size);
         if self.texture.is_none() {

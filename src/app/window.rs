@@ -78,6 +78,7 @@ pub struct Window {
     /// The lost document for which *Discard* was pressed once; a second press deletes it.
     discard_asked: Option<String>,
     gallery: Gallery,
+    recent_sketches: RecentSketches,
     exporting: Option<Exporting>,
     page: Option<Page>,
     presentation: Presentation,
@@ -88,8 +89,10 @@ pub struct Window {
     alternatives: Alternatives,
     colour: ColourPanel,
     result_panel: ResultPanel,
-    /// Whether the column on the right is shown on a small screen.
+    /// Whether the column on the right is shown on a narrow screen.
     unfolded: bool,
+    /// Whether all panels beside sketch and texture are hidden.
+    panels_hidden: bool,
     /// Whether the texture is shown over the sketch, instead of beside it.
     over: bool,
     /// The position of the divider between them, 0..1.
@@ -101,7 +104,7 @@ pub struct Window {
     /// Whether a menu was open in the last frame.
     menu_open: bool,
     menu_keys: MenuKeys,
-    /// Whether the keyboard was used after the pointer.
+    /// Whether controls are chosen with the keyboard: the pointer was not used yet, or the keyboard after it.
     by_keys: bool,
     context: context::ContextMenu,
     /// The tool before marks were selected by a key, which changed it to *Select*.
@@ -131,6 +134,7 @@ impl Window {
         let settings = self.settings.is_due() || self.settings_writer.is_busy();
         self.files.is_busy()
             || self.gallery.is_loading()
+            || self.recent_sketches.is_busy()
             || settings
             || self.recovery.is_busy()
             || self.clipboard.is_busy()
@@ -265,11 +269,11 @@ impl Window {
         self.files.picture = None;
         self.files.example = None;
         self.recovery.document_opened();
+        self.canvas.reference.document_opened();
         self.canvas.view.fitted = true;
         self.canvas.chosen_region = None;
         self.texture.view.fitted = true;
         self.texture.tiled = false;
-        self.canvas.reference.document_opened();
         self.canvas.analysis.forget();
         self.canvas.wanted.forget();
         self.layers.forget();

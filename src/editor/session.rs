@@ -11,8 +11,8 @@ mod starting;
 
 use crate::document::layer_rules::tidy;
 use crate::document::{After, AreaKind, Document, Kind, Layer, Stroke};
-use crate::editor::freehand;
 use crate::editor::backdrop::Backdrop;
+use crate::editor::freehand;
 use crate::editor::history::{History, Snapshot};
 use crate::editor::selection::{Place, Selection};
 use crate::editor::shape;
@@ -34,9 +34,9 @@ pub struct Session {
     history: History,
     /// The state after the last undo step.
     committed: Snapshot,
-    /// The document in the state in which the file holds it.
     /// The picture under the canvas, to draw over; it is not saved.
     backdrop: Option<Backdrop>,
+    /// The document in the state in which the file holds it.
     saved: Document,
     /// The spacing that applies far from the ellipses of each layer, after the last undo step; `None` = not computed
     /// yet.
@@ -74,8 +74,8 @@ impl Session {
             path,
             history: History::default(),
             committed,
-            far_spacing: None,
             backdrop: None,
+            far_spacing: None,
             areas,
             marks,
             revision: 0,
@@ -216,8 +216,8 @@ impl Session {
             selection: self.selection.clone(),
             active_layer: self.active_layer,
             frozen: self.frozen,
-        }
             backdrop: self.backdrop.clone(),
+        }
     }
 
     fn restore(&mut self, snapshot: Snapshot) {
@@ -226,8 +226,8 @@ impl Session {
         self.far_spacing = None;
         self.selection.clone_from(&snapshot.selection);
         (self.active_layer, self.frozen) = (snapshot.active_layer, snapshot.frozen);
-        self.committed = snapshot;
         self.backdrop.clone_from(&snapshot.backdrop);
+        self.committed = snapshot;
     }
 
     /// Whether the document differs from its file.

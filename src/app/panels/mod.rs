@@ -14,6 +14,7 @@ mod layers;
 mod meets;
 mod menu;
 mod notes;
+mod recent;
 mod result;
 mod selected;
 mod sketch_bar;

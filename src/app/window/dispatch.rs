@@ -35,6 +35,10 @@ impl Window {
             // Whether something unsaved would be lost is asked once the file is known: a picture may be drawn over.
             Action::Open => self.choose(Purpose::Open, ""),
             Action::Discard(id) => self.discard(&id),
+            Action::ReadRecent => {
+                let reading = self.recent_sketches.read(&self.settings.recent, &self.tasks);
+                self.report(reading.err());
+            }
             Action::ForgetRecent => self.settings.forget(),
             Action::Save => self.save(None),
             Action::SaveAs => self.save_as(),
@@ -45,8 +49,8 @@ impl Window {
             Action::ChoosePicture(wanted) => self.choose(Purpose::Picture(wanted), ""),
             Action::SavePalette => self.save_palette_as(),
             Action::Page(page) => self.turn_to(page),
-            Action::Alternatives(shown) => self.alternatives.shown = shown,
-            Action::ToggleAlternatives => self.alternatives.shown = !self.alternatives.shown,
+            Action::Alternatives(shown) => self.show_alternatives(shown),
+            Action::ToggleAlternatives => self.show_alternatives(!self.shows_alternatives()),
             Action::TakeAlternative(id) => self.take_alternative(id),
             Action::KeepAlternative(id, kept) => self.keep_alternative(id, kept),
             Action::StopAlternatives(stopped) => self.alternatives.stop(stopped),
@@ -91,7 +95,12 @@ impl Window {
             }
             Action::Column(shown) => self.show_column(ui.ctx(), shown),
             Action::ToggleColumn => self.show_column(ui.ctx(), !self.shows_column(ui.ctx())),
-            Action::Tools(shown) => self.settings.layout.tools = shown,
+            Action::Tools(shown) => self.show_tools(shown),
+            Action::TogglePanels => self.panels_hidden = !self.panels_hidden,
+            Action::FullScreen => {
+                let is_full = ui.input(|input| input.viewport().fullscreen == Some(true));
+                ui.send_viewport_cmd(ViewportCommand::Fullscreen(!is_full));
+            }
             Action::Nib(nib) => self.canvas.nib = nib,
             Action::Tab(tab) => self.tab = tab,
             Action::Over(over) => self.over = over,
@@ -216,6 +225,15 @@ impl Window {
             self.canvas.view.fitted = true;
             self.texture.view.fitted = true;
         }
+    }
+
+    fn shows_alternatives(&self) -> bool {
+        self.alternatives.shown && !self.panels_hidden
+    }
+
+    fn show_alternatives(&mut self, shown: bool) {
+        self.alternatives.shown = shown;
+        self.panels_hidden &= !shown;
     }
 
     /// Opens a new document.

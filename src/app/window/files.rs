@@ -276,6 +276,7 @@ impl Window {
             Ok(()) => {
                 self.session.mark_saved(saving.document.clone(), &saving.path);
                 self.settings.remember(&saving.path);
+                self.recent_sketches.forget(&saving.path);
                 platform::hand_over(&saving.path);
                 self.notices.done(format!("Saved as {}", platform::shown(&saving.path)));
                 true
@@ -325,6 +326,7 @@ impl Window {
         for why in platform::not_handed_over() {
             self.notices.wrong(why);
         }
+        self.recent_sketches.listen();
         self.listen_to_clipboard(ui.ctx());
         self.listen_to_export(ui);
         self.listen_to_reading();
@@ -366,12 +368,12 @@ impl Window {
         if !files.is_empty() {
             self.inspect(files);
         }
-        match reading::inspect(files, &self.tasks) {
-            Ok(task) => self.files.inspecting = Some(task),
     }
 
     /// Finds out on another thread what each of these files is, and opens it accordingly.
     fn inspect(&mut self, files: Vec<PathBuf>) {
+        match reading::inspect(files, &self.tasks) {
+            Ok(task) => self.files.inspecting = Some(task),
             Err(error) => self.notices.wrong(error.to_string()),
         }
     }
