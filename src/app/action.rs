@@ -6,8 +6,8 @@ use std::sync::Arc;
 use egui::{ColorImage, ThemePreference};
 
 use super::canvas::Nib;
-use super::canvas::reference::Placement;
 use super::canvas::tool::Tool;
+use crate::editor::backdrop::Placement;
 use crate::editor::edit::Edit;
 use crate::editor::layer_action::LayerAction;
 use crate::editor::picture_use::PictureUse;
@@ -24,6 +24,8 @@ pub enum Beginning {
     Spots,
     /// A few lines.
     Stripes,
+    /// The marks of the example with this name.
+    Example(&'static str),
     /// A field of points with the blotches of a cow.
     Cow,
 }
@@ -39,6 +41,8 @@ pub enum Action {
     OpenFile(PathBuf),
     /// Open the document in this link.
     OpenLink(String),
+    /// Read small sketches of the recently used documents.
+    ReadRecent,
     /// Forget the recently used documents.
     ForgetRecent,
     /// Open the example with this name.
@@ -130,6 +134,10 @@ pub enum Action {
     Tools(bool),
     /// Show the column on the right if it is hidden, else hide it.
     ToggleColumn,
+    /// Hide all panels beside sketch and texture; where they are hidden, show them.
+    TogglePanels,
+    /// Fill the screen with the window; where it does, give it back its size.
+    FullScreen,
     /// Show the texture over the sketch (true) or beside it (false).
     Over(bool),
     /// Show two by two tiles.

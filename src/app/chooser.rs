@@ -2,7 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use egui::{Button, Key, ScrollArea, TextEdit, Ui, vec2};
+use egui::text::{CCursor, CCursorRange};
+use egui::text_edit::TextEditState;
+use egui::{Button, Id, Key, ScrollArea, TextEdit, Ui, vec2};
 
 use crate::app::platform;
 use crate::app::purpose::Purpose;
@@ -81,10 +83,23 @@ impl Chooser {
     pub fn listen(&mut self) -> Choice {
         let Some(task) = &mut self.system else { return Choice::Waiting };
         match task.poll() {
-            Some(Some(path)) => Choice::Chosen(self.with_ending(path)),
+            Some(Some(path)) => self.named(path),
             None if !task.has_ended() => Choice::Waiting,
             Some(None) | None => Choice::Nothing,
         }
+    }
+
+    /// The choice, where the system's dialog gives `path`. Where an ending is added to it, the system has not asked whether
+    /// a file of that name is replaced: our own dialog does, if there is one.
+    fn named(&mut self, path: PathBuf) -> Choice {
+        let written = self.purpose.with_ending(path.clone());
+        if written == path {
+            return Choice::Chosen(path);
+        }
+        self.system = None;
+        self.name = written.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        self.enter(written.parent().unwrap_or(Path::new(".")).to_owned());
+        self.check(written)
     }
 
     /// Whether a folder or file is being read.
@@ -126,9 +141,11 @@ impl Chooser {
         ui.horizontal(|ui| {
             let label = ui.label(if self.purpose == Purpose::ExportInto { "Folder" } else { "File" });
             let edit = TextEdit::singleline(&mut self.name).desired_width(ui.available_width());
-            let edit = ui.add(edit).labelled_by(label.id);
+            let shown = edit.show(ui);
+            let edit = shown.response.response.labelled_by(label.id);
             if std::mem::take(&mut self.fresh) {
                 edit.request_focus();
+                select_stem(ui, edit.id, shown.state, &self.name);
             }
             if edit.changed() {
                 (self.replaces, self.checking) = (None, None);
@@ -213,15 +230,7 @@ impl Chooser {
 
     /// The path of the typed name, which may be a whole path.
     fn path(&self) -> PathBuf {
-        self.with_ending(self.folder.join(self.name.trim()))
-    }
-
-    fn with_ending(&self, path: PathBuf) -> PathBuf {
-        if self.purpose.writes() && path.extension().is_none() {
-            self.purpose.endings().first().map_or(path.clone(), |ending| path.with_extension(ending))
-        } else {
-            path
-        }
+        self.purpose.with_ending(self.folder.join(self.name.trim()))
     }
 
     /// Checks what is at `path`; [`Self::checked`] continues. Where no thread can be started, the window blocks until
@@ -270,4 +279,11 @@ impl Chooser {
         }
         Choice::Chosen(path)
     }
+}
+
+/// Selects the proposed `name` in the field `id`, without its ending, so that typing replaces it.
+fn select_stem(ui: &Ui, id: Id, mut state: TextEditState, name: &str) {
+    let stem = Path::new(name).file_stem().unwrap_or_default().to_string_lossy().chars().count();
+    state.cursor.set_char_range(Some(CCursorRange::two(CCursor::new(0), CCursor::new(stem))));
+    state.store(ui.ctx(), id);
 }

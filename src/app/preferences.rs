@@ -1,12 +1,13 @@
 //! The page of preferences: settings for all documents.
 
-use egui::{Checkbox, DragValue, Grid, RichText, TextEdit, ThemePreference, Ui, vec2};
+use egui::{Checkbox, ComboBox, DragValue, Grid, RichText, TextEdit, ThemePreference, Ui, vec2};
 
 use super::fields::{DPI, REGIONS, SEAMLESS, SIDES, regions, resolution, sides};
-use super::settings::Settings;
+use super::settings::{SCALES, Settings};
 use super::small_screen::fit_width;
 use crate::editor::pens::Pens;
 use crate::editor::units::{Ruler, Units};
+use crate::editor::wheel::Wheel;
 use crate::machine::threads;
 
 /// Shows the page. Changes take effect at once.
@@ -17,7 +18,9 @@ pub fn page(ui: &mut Ui, settings: &mut Settings) {
     let grid = |name| Grid::new(name).num_columns(2).min_col_width(96.0).spacing(vec2(16.0, 10.0));
     grid("window").show(ui, |ui| {
         look(ui, settings);
+        scale(ui, &mut settings.scale);
         units(ui, &mut settings.units);
+        wheel(ui, &mut settings.wheel);
         threads(ui, &mut settings.threads);
         pens(ui, &mut settings.pens);
         site(ui, &mut settings.site);
@@ -63,6 +66,33 @@ fn look(ui: &mut Ui, settings: &mut Settings) {
     if settings.theme != before {
         ui.ctx().set_theme(settings.theme);
     }
+}
+
+fn scale(ui: &mut Ui, scale: &mut f32) {
+    ui.label("Scale").on_hover_text("Size of texts and controls; 100 % is the size that the system asks for");
+    let before = *scale;
+    let percent = |scale: f32| format!("{:.0} %", 100.0 * scale);
+    let combo = ComboBox::from_id_salt("scale").selected_text(percent(before)).show_ui(ui, |ui| {
+        for one in SCALES {
+            ui.selectable_value(scale, one, percent(one));
+        }
+    });
+    combo.response.accessible_name("Scale of the interface");
+    ui.end_row();
+    if *scale != before {
+        ui.ctx().set_zoom_factor(*scale);
+    }
+}
+
+fn wheel(ui: &mut Ui, wheel: &mut Wheel) {
+    ui.label("Wheel")
+        .on_hover_text("What the wheel, or two fingers on a touchpad, do over sketch and texture");
+    ui.horizontal(|ui| {
+        ui.radio_value(wheel, Wheel::Pan, "moves the view").on_hover_text("With Ctrl it zooms");
+        ui.radio_value(wheel, Wheel::Zoom, "zooms")
+            .on_hover_text("The middle button, or Space and a drag, move the view");
+    });
+    ui.end_row();
 }
 
 fn units(ui: &mut Ui, units: &mut Units) {

@@ -2,15 +2,11 @@
 
 use std::time::Duration;
 
-use egui::{
-    Button, Color32, Frame, Label, Layout, RichText, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui,
-    WidgetInfo, vec2,
-};
+use egui::{Button, Frame, Label, Layout, RichText, Role, ScrollArea, Sense, Ui, WidgetInfo, vec2};
 
 use super::small_screen::fit_width;
 use crate::app::action::{Action, Page};
-use crate::app::canvas::ink::Ink;
-use crate::app::canvas::view::View;
+use crate::app::small_sketch;
 use crate::app::theme::Palette;
 use crate::editor::recovery::{LostDocument, Recovery};
 
@@ -114,20 +110,10 @@ fn description(ui: &mut Ui, lost: &LostDocument) {
 }
 
 fn sketch(ui: &mut Ui, lost: &LostDocument) {
-    let colours = Palette::current(ui.visuals());
     let (room, response) = ui.allocate_exact_size(SKETCH.into(), Sense::hover());
     let name = format!("Sketch of {}", lost.backup.name);
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &name));
-    let mut view = View::default();
-    view.fit(lost.backup.document.size, room);
-    let paper = view.paper(room, lost.backup.document.size);
-    let painter = ui.painter_at(paper.expand(1.0));
-    painter.rect(paper, 2.0, colours.paper, Stroke::new(1.0, colours.border), StrokeKind::Inside);
-    let ink = Ink { painter: &painter, view: &view, room };
-    for (layer, mark) in &lost.marks {
-        let colour: Color32 = colours.ink(*layer);
-        ink.mark(mark, colour.gamma_multiply(0.8), Stroke::NONE);
-    }
+    small_sketch::paint(ui, room, lost.backup.document.size, &lost.marks);
 }
 
 /// An age in words.

@@ -16,6 +16,10 @@ use crate::document::link::SITE;
 use crate::editor::pens::Pens;
 use crate::editor::settings_file::{self, Entries, RecentChange, SettingsChange};
 use crate::editor::units::Units;
+use crate::editor::wheel::Wheel;
+
+/// Scales of the interface that can be chosen.
+pub const SCALES: [f32; 8] = [0.75, 0.9, 1.0, 1.1, 1.25, 1.5, 1.75, 2.0];
 
 /// The settings.
 #[derive(Clone, Debug)]
@@ -30,6 +34,10 @@ pub struct Settings {
     pub threads: Option<usize>,
     /// How pens are used.
     pub pens: Pens,
+    /// What the wheel does.
+    pub wheel: Wheel,
+    /// Scale of the interface; 1 = as large as the system asks for.
+    pub scale: f32,
     /// The initial values for a new document.
     pub new: New,
     /// The initial choices of the export dialog.
@@ -58,6 +66,8 @@ impl Default for Settings {
             units: Units::default(),
             threads: None,
             pens: Pens::default(),
+            wheel: Wheel::default(),
+            scale: 1.0,
             new: New::default(),
             export: Choices::default(),
             export_folder: None,
@@ -100,6 +110,8 @@ impl Settings {
         self.units = entries.get("units").unwrap_or_default();
         self.threads = entries.get("threads").filter(|threads| *threads > 0);
         self.pens = entries.get("pens").unwrap_or_default();
+        self.wheel = entries.get("wheel").unwrap_or_default();
+        self.scale = entries.get("scale").filter(|scale| SCALES.contains(scale)).unwrap_or(1.0);
         let new = entries.fields("new", &New::default());
         self.new = if new.is_allowed() { new } else { New::default() };
         self.export = export_choices::read(entries);
@@ -120,6 +132,8 @@ impl Settings {
         entries.set("units", &self.units, &Units::default());
         entries.set("threads", &self.threads, &None);
         entries.set("pens", &self.pens, &Pens::default());
+        entries.set("wheel", &self.wheel, &Wheel::default());
+        entries.set("scale", &self.scale, &1.0);
         entries.set("new", &self.new, &New::default());
         export_choices::write(&self.export, &mut entries);
         // A folder whose name is not valid Unicode is not kept.

@@ -53,6 +53,7 @@ pub const SHORTCUTS: &[Shortcut] = &[
     with(CTRL, Key::Z, "Undo", "Edit", || Action::Undo),
     with(CTRL, Key::Y, "Redo", "Edit", || Action::Redo),
     with(CTRL, Key::D, "Duplicate", "Edit", || Action::Duplicate),
+    with(CTRL_SHIFT, Key::C, "Copy the texture as a picture", "Edit", || Action::CopyPicture),
     with(CTRL, Key::A, "Select all", "Edit", || Action::SelectAll),
     with(Modifiers::NONE, Key::Delete, "Delete", "Edit", || Action::Delete),
     with(Modifiers::NONE, Key::Backspace, "Delete", "Edit", || Action::Delete),
@@ -101,12 +102,16 @@ pub const SHORTCUTS: &[Shortcut] = &[
     with(CTRL, Key::Equals, "Zoom in", "View", || Action::Zoom(ZOOM)),
     with(CTRL, Key::Minus, "Zoom out", "View", || Action::Zoom(1.0 / ZOOM)),
     with(Modifiers::NONE, Key::F9, "Right column", "View", || Action::ToggleColumn),
+    with(Modifiers::NONE, Key::F11, FULL_SCREEN, "View", || Action::FullScreen),
     with(Modifiers::NONE, Key::P, "Pause or resume", "Growth", || Action::Pause),
     with(Modifiers::NONE, Key::N, "Another seed", "Growth", || Action::AnotherSeed),
     with(CTRL, Key::R, "Grow again", "Growth", || Action::Grow),
     with(CTRL, Key::Period, "Stop", "Growth", || Action::Stop),
     with(Modifiers::NONE, Key::F1, "Keyboard shortcuts", "Help", || Action::Page(Page::Shortcuts)),
 ];
+
+/// The description of a shortcut that only a window of its own has: a browser has its own.
+const FULL_SCREEN: &str = "Full screen";
 
 /// The arrow keys and their directions.
 const ARROWS: [(Key, [f64; 2]); 4] = [
@@ -126,8 +131,6 @@ pub fn asked(ctx: &Context, canvas: bool, arrows: bool) -> Vec<Action> {
         if canvas {
             for event in &input.events {
                 match event {
-                    // egui gives one event for Ctrl+C and for Ctrl+Shift+C.
-                    Event::Copy if input.modifiers.shift => actions.push(Action::CopyPicture),
                     Event::Copy => actions.push(Action::Copy),
                     Event::Cut => actions.push(Action::Cut),
                     Event::Paste(text) => actions.push(Action::Paste(text.clone())),
@@ -143,8 +146,11 @@ pub fn asked(ctx: &Context, canvas: bool, arrows: bool) -> Vec<Action> {
         let ordered = SHORTCUTS.iter().filter(shift).chain(SHORTCUTS.iter().filter(|one| !shift(one)));
         for shortcut in ordered {
             let plain = !shortcut.keys.modifiers.command;
-            let function = matches!(shortcut.keys.logical_key, Key::F1 | Key::F9);
-            if alt || (typing && !function && shortcut.group != "Document") || (plain && !canvas && !function)
+            let function = matches!(shortcut.keys.logical_key, Key::F1 | Key::F9 | Key::F11);
+            if !is_available(shortcut)
+                || alt
+                || (typing && !function && shortcut.group != "Document")
+                || (plain && !canvas && !function)
             {
                 continue;
             }
@@ -213,8 +219,7 @@ pub fn page(ui: &mut Ui) {
 /// The rows of a group: the description of each action and its first shortcut.
 fn rows(ui: &Ui, group: &str) -> Vec<(&'static str, String)> {
     let mut rows: Vec<(&str, String)> = Vec::new();
-    let is_shown = |shortcut: &&Shortcut| shortcut.group == group && (CAN_QUIT || shortcut.text != "Quit");
-    for shortcut in SHORTCUTS.iter().filter(is_shown) {
+    for shortcut in SHORTCUTS.iter().filter(|shortcut| shortcut.group == group && is_available(shortcut)) {
         if rows.iter().all(|(text, _)| *text != shortcut.text) {
             rows.push((shortcut.text, spelled(ui.ctx(), shortcut.keys)));
         }
@@ -224,16 +229,22 @@ fn rows(ui: &Ui, group: &str) -> Vec<(&'static str, String)> {
     rows
 }
 
+/// Whether this platform has the action of a shortcut.
+fn is_available(shortcut: &Shortcut) -> bool {
+    CAN_QUIT || !["Quit", FULL_SCREEN].contains(&shortcut.text)
+}
+
 /// Gestures and keys that are not a single shortcut.
 const OTHERS: &[(&str, &str, &str)] = &[
+    ("View", "Panels", "Tab"),
     ("View", "Zoom", "Ctrl + wheel, pinch"),
     ("View", "Pan", "wheel, middle button, Space + drag"),
     ("Edit", "Move by 1 px, by 10 px", "arrows, Shift + arrows"),
     ("Edit", "Copy, cut, paste", "Ctrl+C, Ctrl+X, Ctrl+V"),
-    ("Edit", "Copy the texture as a picture", "Ctrl+Shift+C"),
     ("Draw", "Circle; steps of 15°", "Shift while dragging"),
     ("Draw", "Copy a mark", "Alt or Ctrl + drag"),
     ("Help", "Menus", "F10, Alt + letter, arrows"),
+    ("Help", "Next and previous control", "Shift + Tab, Tab"),
 ];
 
 fn row(ui: &mut Ui, text: &str, keys: &str) {

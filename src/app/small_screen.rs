@@ -1,10 +1,15 @@
 //! Small screens, such as those of phones: sketch and texture lie one above the other, the column on the right is folded, and dialogs
-//! can be scrolled. A window on a desktop is never so small.
+//! can be scrolled. A window on a desktop is as small only where the interface is scaled up.
 
 use egui::{Context, Frame, Id, Modal, ModalResponse, Rect, ScrollArea, Ui, Vec2, vec2};
 
 /// The width below which a screen is small, points.
 const SMALL: f32 = 600.0;
+/// The width below which sketch, texture and the column on the right have no room beside each other, points: the smallest
+/// window of an interface that is not scaled has more.
+const NARROW: f32 = 740.0;
+/// The height below which dialogs can be scrolled, points.
+const LOW: f32 = 470.0;
 /// The part of the width and height of a small screen that a dialog leaves free, points.
 const AROUND: f32 = 20.0;
 /// The largest margin within a dialog on a small screen, points.
@@ -22,6 +27,17 @@ pub fn is_small(ctx: &Context) -> bool {
     ctx.content_rect().width() < SMALL
 }
 
+/// Whether the column on the right is folded: on a narrow screen, where a button in the status line shows it.
+#[must_use]
+pub fn is_narrow(ctx: &Context) -> bool {
+    ctx.content_rect().width() < NARROW
+}
+
+/// Whether dialogs can be scrolled.
+fn is_tight(ctx: &Context) -> bool {
+    is_small(ctx) || ctx.content_rect().height() < LOW
+}
+
 /// Sets the width of a dialog; it is less where the screen is narrower.
 pub fn fit_width(ui: &mut Ui, width: f32) {
     let widest = if is_small(ui.ctx()) { ui.available_width() } else { f32::INFINITY };
@@ -35,9 +51,9 @@ pub fn dialog<R>(
     margin: i8,
     content: impl FnOnce(&mut Ui) -> R,
 ) -> ModalResponse<R> {
-    let margin = if is_small(ctx) { margin.min(MARGIN) } else { margin };
+    let margin = if is_tight(ctx) { margin.min(MARGIN) } else { margin };
     let modal = Modal::new(Id::unique(id)).frame(Frame::window(&ctx.global_style()).inner_margin(margin));
-    if !is_small(ctx) {
+    if !is_tight(ctx) {
         return modal.show(ctx, content);
     }
     let room = ctx.content_rect().size() - vec2(AROUND, AROUND) - 2.0 * vec2(margin.into(), margin.into());

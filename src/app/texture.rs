@@ -12,6 +12,7 @@ use super::canvas::view::View;
 use super::checkerboard;
 use super::growth::{Growth, GrowthState, Picture};
 use super::theme::Palette;
+use crate::editor::wheel::Wheel;
 
 /// The view of the texture.
 #[derive(Default)]
@@ -25,6 +26,8 @@ pub struct TextureView {
     pub view: View,
     /// Whether it is shown two by two, to check for seams.
     pub tiled: bool,
+    /// What the wheel does.
+    pub wheel: Wheel,
     /// The position of the pointer, px of the canvas.
     pub pointer: Option<[f64; 2]>,
 }
@@ -81,7 +84,7 @@ impl TextureView {
             self.view.fit(shown, room);
         }
         self.pointer = response.hover_pos().map(|at| self.view.to_canvas(room, at));
-        navigate(ui, &response, room, &mut self.view, true);
+        navigate(ui, &response, room, &mut self.view, self.wheel, true);
         let painter = ui.painter_at(room);
         self.paint(ui, &painter, room, size);
         if self.texture.is_none() {
@@ -90,10 +93,10 @@ impl TextureView {
         if self.tiled {
             return response;
         }
-        let grown = || badges.iter().filter(|badge| badge.has_grown);
+        let grown = badges.iter().filter(|badge| badge.has_grown);
         let ink = Ink { painter: &painter, view: &self.view, room };
-        badges::paint(&ink, grown(), Palette::current(ui.visuals()));
-        match response.hover_pos().and_then(|at| badges::told(grown(), self.view, room, at)) {
+        let (paper, colours) = (self.view.paper(room, size), Palette::current(ui.visuals()));
+        match badges::paint_beside(&ink, grown, paper, response.hover_pos(), colours) {
             Some(text) => response.on_hover_text_at_pointer(text),
             None => response,
         }

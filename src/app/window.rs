@@ -36,7 +36,6 @@ use egui::{Pos2, Rect};
 use super::action::{Page, Tab};
 use super::alternatives::Alternatives;
 use super::canvas::Canvas;
-use super::canvas::reference::Placement;
 use super::canvas::tool::Tool;
 use super::canvas::wanted::Glyph;
 use super::cloud::Cloud;
@@ -51,6 +50,8 @@ use super::settings::Settings;
 use super::texture::TextureView;
 use super::trace::Trace;
 use crate::document::Document;
+use crate::editor::backdrop::Placement;
+use crate::editor::recent_sketches::RecentSketches;
 use crate::editor::recovery::Recovery;
 use crate::editor::session::Session;
 use crate::editor::task::Tasks;
@@ -77,6 +78,7 @@ pub struct Window {
     /// The lost document for which *Discard* was pressed once; a second press deletes it.
     discard_asked: Option<String>,
     gallery: Gallery,
+    recent_sketches: RecentSketches,
     exporting: Option<Exporting>,
     page: Option<Page>,
     presentation: Presentation,
@@ -87,8 +89,10 @@ pub struct Window {
     alternatives: Alternatives,
     colour: ColourPanel,
     result_panel: ResultPanel,
-    /// Whether the column on the right is shown on a small screen.
+    /// Whether the column on the right is shown on a narrow screen.
     unfolded: bool,
+    /// Whether all panels beside sketch and texture are hidden.
+    panels_hidden: bool,
     /// Whether the texture is shown over the sketch, instead of beside it.
     over: bool,
     /// The position of the divider between them, 0..1.
@@ -100,7 +104,7 @@ pub struct Window {
     /// Whether a menu was open in the last frame.
     menu_open: bool,
     menu_keys: MenuKeys,
-    /// Whether the keyboard was used after the pointer.
+    /// Whether controls are chosen with the keyboard: the pointer was not used yet, or the keyboard after it.
     by_keys: bool,
     context: context::ContextMenu,
     /// The tool before marks were selected by a key, which changed it to *Select*.
@@ -130,6 +134,7 @@ impl Window {
         let settings = self.settings.is_due() || self.settings_writer.is_busy();
         self.files.is_busy()
             || self.gallery.is_loading()
+            || self.recent_sketches.is_busy()
             || settings
             || self.recovery.is_busy()
             || self.clipboard.is_busy()
@@ -264,6 +269,7 @@ impl Window {
         self.files.picture = None;
         self.files.example = None;
         self.recovery.document_opened();
+        self.canvas.reference.document_opened();
         self.canvas.view.fitted = true;
         self.canvas.chosen_region = None;
         self.texture.view.fitted = true;

@@ -1,9 +1,17 @@
 //! Undo and redo: snapshots of the document and the selection.
 
-use crate::document::Document;
-use crate::editor::selection::Selection;
+mod step;
 
-/// Steps that can be undone. A document of a hundred marks takes about 10 kB.
+use std::sync::Arc;
+
+use crate::document::Document;
+use crate::editor::backdrop::{Backdrop, Pixels};
+use crate::editor::selection::Selection;
+use step::Step;
+
+/// Different pictures under the canvas that earlier steps keep; each takes up to 16 MB.
+const MAX_PICTURES: usize = 4;
+/// Steps that can be undone. Steps share what they have in common.
 const MAX_STEPS: usize = 500;
 
 /// A document and its selection at one time.
@@ -17,22 +25,40 @@ pub struct Snapshot {
     pub active_layer: usize,
     /// How many of the lowest layers were frozen.
     pub frozen: usize,
+    /// The picture under the canvas.
+    pub backdrop: Option<Backdrop>,
 }
 
 /// Snapshots before and after the current state.
 #[derive(Clone, Debug, Default)]
 pub struct History {
-    undo: Vec<Snapshot>,
-    redo: Vec<Snapshot>,
+    undo: Vec<Step>,
+    redo: Vec<Step>,
 }
 
 impl History {
     /// Adds the state before a change. Undone steps can then no longer be redone.
     pub fn push(&mut self, before: Snapshot) {
         self.redo.clear();
-        self.undo.push(before);
+        self.undo.push(Step::new(before, self.undo.last()));
         if self.undo.len() > MAX_STEPS {
             self.undo.remove(0);
+        }
+        self.forget_pictures();
+    }
+
+    /// Removes the pictures under the canvas of old steps, where there are too many different ones.
+    fn forget_pictures(&mut self) {
+        let mut kept: Vec<Arc<Pixels>> = Vec::with_capacity(MAX_PICTURES);
+        for step in self.undo.iter_mut().rev() {
+            let Some(backdrop) = step.backdrop() else { continue };
+            if kept.iter().all(|pixels| !Arc::ptr_eq(pixels, &backdrop.pixels)) {
+                if kept.len() == MAX_PICTURES {
+                    *step.backdrop() = None;
+                    continue;
+                }
+                kept.push(Arc::clone(&backdrop.pixels));
+            }
         }
     }
 
@@ -53,12 +79,12 @@ impl History {
     }
 }
 
-fn exchange(from: &mut Vec<Snapshot>, to: &mut Vec<Snapshot>, current: Snapshot) -> Snapshot {
+fn exchange(from: &mut Vec<Step>, to: &mut Vec<Step>, current: Snapshot) -> Snapshot {
     match from.pop() {
         None => current,
-        Some(snapshot) => {
-            to.push(current);
-            snapshot
+        Some(step) => {
+            to.push(Step::new(current, Some(&step)));
+            step.snapshot()
         }
     }
 }
@@ -66,10 +92,30 @@ fn exchange(from: &mut Vec<Snapshot>, to: &mut Vec<Snapshot>, current: Snapshot)
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::{Layer, Starred, Stroke};
+    use crate::marks::Line;
 
     fn named(name: &str) -> Snapshot {
         let document = Document { name: name.to_owned(), ..Document::default() };
-        Snapshot { document, selection: Selection::default(), active_layer: 0, frozen: 0 }
+        Snapshot { document, selection: Selection::default(), active_layer: 0, frozen: 0, backdrop: None }
+    }
+
+    #[test]
+    fn only_the_latest_pictures_are_kept_with_the_steps() {
+        let mut history = History::default();
+        let picture =
+            |name: usize| Backdrop::new(Pixels { name: name.to_string(), size: [1; 2], rgba: vec![0; 4] });
+        for name in 0..6 {
+            let backdrop = Some(picture(name));
+            // The steps in between have the picture as well, and do not count.
+            for _ in 0..3 {
+                history.push(Snapshot { backdrop: backdrop.clone(), ..named("a") });
+            }
+        }
+        let kept: Vec<Option<String>> =
+            (0..18).map(|_| history.undo(named("b")).backdrop.map(|of| of.pixels.name.clone())).collect();
+        let of = |step: usize| (step < 12).then(|| (5 - step / 3).to_string());
+        assert_eq!(kept, (0..18).map(of).collect::<Vec<_>>());
     }
 
     #[test]
@@ -84,6 +130,27 @@ mod tests {
         assert_eq!(history.can_undo_redo(), [true, true]);
         history.push(named("b"));
         assert_eq!(history.can_undo_redo(), [true, false]);
+    }
+
+    #[test]
+    fn steps_share_the_strokes_that_they_have_in_common_and_are_restored_as_they_were() {
+        let line = |x: f64| Stroke::Line(Line { from: [x, 0.0], to: [x, 9.0], width: 2.0 });
+        let drawn = |xs: &[f64]| {
+            let layer = Layer { strokes: xs.iter().copied().map(line).collect(), ..Layer::default() };
+            let star = Starred { name: "a".to_owned(), document: named("star").document };
+            let document = Document { layers: vec![layer], starred: vec![star], ..Document::default() };
+            Snapshot { document, ..named("") }
+        };
+        let sketches = [&[1.0, 2.0][..], &[1.0, 2.0, 3.0], &[1.0, 3.0], &[5.0, 1.0, 4.0]].map(drawn);
+        let mut history = History::default();
+        sketches.iter().for_each(|sketch| history.push(sketch.clone()));
+        let shares = |step: usize, stroke| history.undo[step].shares(&history.undo[step - 1], 0, stroke);
+        assert_eq!([(1, 0), (1, 1), (1, 2)].map(|(step, stroke)| shares(step, stroke)), [true, true, false]);
+        assert_eq!([(2, 0), (2, 1)].map(|(step, stroke)| shares(step, stroke)), [true, true]);
+        assert_eq!([(3, 0), (3, 1), (3, 2)].map(|(step, stroke)| shares(step, stroke)), [false, true, false]);
+        for sketch in sketches.iter().rev() {
+            assert_eq!(history.undo(named("now")), *sketch);
+        }
     }
 
     #[test]

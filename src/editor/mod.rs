@@ -3,6 +3,7 @@
 
 pub mod arithmetic;
 pub mod arrange;
+pub mod backdrop;
 pub mod clipboard;
 pub mod edit;
 pub mod file_lock;
@@ -15,6 +16,7 @@ pub mod path_encoding;
 pub mod pens;
 pub mod picture_use;
 pub mod reading;
+pub mod recent_sketches;
 pub mod recovery;
 pub mod saving;
 pub mod selection;
@@ -25,4 +27,5 @@ pub mod snap;
 pub mod task;
 pub mod typed;
 pub mod units;
+pub mod wheel;
 pub mod writing;

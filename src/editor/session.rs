@@ -7,9 +7,11 @@ mod far_spacing;
 mod layers;
 mod moving;
 mod split;
+mod starting;
 
 use crate::document::layer_rules::tidy;
 use crate::document::{After, AreaKind, Document, Kind, Layer, Stroke};
+use crate::editor::backdrop::Backdrop;
 use crate::editor::freehand;
 use crate::editor::history::{History, Snapshot};
 use crate::editor::selection::{Place, Selection};
@@ -32,6 +34,8 @@ pub struct Session {
     history: History,
     /// The state after the last undo step.
     committed: Snapshot,
+    /// The picture under the canvas, to draw over; it is not saved.
+    backdrop: Option<Backdrop>,
     /// The document in the state in which the file holds it.
     saved: Document,
     /// The spacing that applies far from the ellipses of each layer, after the last undo step; `None` = not computed
@@ -57,7 +61,8 @@ impl Session {
     pub fn open(document: Document, path: Option<PathBuf>) -> Self {
         let active_layer = document.layers.len().saturating_sub(1);
         let selection = Selection::default();
-        let committed = Snapshot { document: document.clone(), selection, active_layer, frozen: 0 };
+        let committed =
+            Snapshot { document: document.clone(), selection, active_layer, frozen: 0, backdrop: None };
         let marks = fitted(&document, &Document::default(), &[]);
         let areas = areas(&document, &marks);
         Self {
@@ -69,6 +74,7 @@ impl Session {
             path,
             history: History::default(),
             committed,
+            backdrop: None,
             far_spacing: None,
             areas,
             marks,
@@ -144,7 +150,7 @@ impl Session {
 
     /// Makes the changes since the last commit one undo step; returns whether there were any.
     pub fn commit(&mut self) -> bool {
-        if self.document == self.committed.document {
+        if !self.is_uncommitted() {
             self.committed.selection.clone_from(&self.selection);
             (self.committed.active_layer, self.committed.frozen) = (self.active_layer, self.frozen);
             return false;
@@ -179,7 +185,29 @@ impl Session {
     #[must_use]
     pub fn can_undo_redo(&self) -> [bool; 2] {
         let [undo, redo] = self.history.can_undo_redo();
-        [undo || self.document != self.committed.document, redo]
+        [undo || self.is_uncommitted(), redo]
+    }
+
+    /// Whether something has changed since the last undo step.
+    fn is_uncommitted(&self) -> bool {
+        self.document != self.committed.document || self.backdrop != self.committed.backdrop
+    }
+
+    /// The picture under the canvas.
+    #[must_use]
+    pub fn backdrop(&self) -> Option<&Backdrop> {
+        self.backdrop.as_ref()
+    }
+
+    /// Changes the picture under the canvas. The next [`Self::commit`] makes the change an undo step.
+    pub fn set_backdrop(&mut self, backdrop: Option<Backdrop>) {
+        self.backdrop = backdrop;
+    }
+
+    /// Sets the picture with which the document was opened; that cannot be undone.
+    pub fn open_backdrop(&mut self, backdrop: Option<Backdrop>) {
+        self.committed.backdrop.clone_from(&backdrop);
+        self.backdrop = backdrop;
     }
 
     fn snapshot(&self) -> Snapshot {
@@ -188,6 +216,7 @@ impl Session {
             selection: self.selection.clone(),
             active_layer: self.active_layer,
             frozen: self.frozen,
+            backdrop: self.backdrop.clone(),
         }
     }
 
@@ -197,6 +226,7 @@ impl Session {
         self.far_spacing = None;
         self.selection.clone_from(&snapshot.selection);
         (self.active_layer, self.frozen) = (snapshot.active_layer, snapshot.frozen);
+        self.backdrop.clone_from(&snapshot.backdrop);
         self.committed = snapshot;
     }
 
@@ -243,6 +273,16 @@ impl Session {
     #[must_use]
     pub fn areas(&self, layer: usize) -> Option<AreaKind> {
         self.areas.get(layer).copied().flatten()
+    }
+
+    /// What a closed stroke on a layer becomes: one of it, with its article, and several of it.
+    #[must_use]
+    pub fn closed_strokes(&self, layer: usize) -> [&'static str; 2] {
+        match self.areas(layer) {
+            Some(AreaKind::Polygons) => ["a cell", "cells"],
+            Some(AreaKind::Patches) => ["a patch", "patches"],
+            None => ["an ellipse", "ellipses"],
+        }
     }
 
     /// The mark of each stroke, by layer and stroke; `None` for a stroke that is not a mark.

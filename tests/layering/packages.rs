@@ -10,7 +10,7 @@ use crate::sources::{ENGINE, module, root, sources};
 
 /// The paths, or beginnings of paths, in which each external package may be named. Tests inside source files may name
 /// any package.
-pub const ADDRESSES: [(&str, &[&str]); 42] = [
+pub const ADDRESSES: [(&str, &[&str]); 43] = [
     ("ab_glyph", &["src/cli/sheet/"]),
     (
         "base64",
@@ -88,6 +88,7 @@ pub const ADDRESSES: [(&str, &[&str]); 42] = [
         ],
     ),
     ("strsim", &["src/engine/document/"]),
+    ("svgtypes", &["src/app/panels/colour/"]),
     ("sysinfo", &["src/machine/", "src/cli/"]),
     ("tempfile", &["src/machine/"]),
     ("tiff", &["src/engine/export/", "src/engine/photo/decode"]),

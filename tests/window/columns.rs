@@ -5,7 +5,7 @@ use dapple::app::{Settings, Start};
 use dapple::document::Document;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Rect, Theme, vec2};
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 
 use crate::hand::{Hand, hand, hand_with, with};
 
@@ -96,4 +96,37 @@ fn nothing_overlaps_in_a_small_window() {
             assert!(!sketch.intersects(texture), "{sketch:?} {texture:?}");
         }
     }
+}
+
+/// The controls that overlap: their names.
+fn overlapping(hand: &Hand) -> Vec<(String, String)> {
+    let roles = [Role::Button, Role::SpinButton, Role::CheckBox, Role::Slider];
+    let nodes = roles.into_iter().flat_map(|role| hand.window.query_all_by_role(role));
+    let all: Vec<(String, Rect)> = nodes
+        .map(|node| (node.accesskit_node().label().unwrap_or_default(), node.rect()))
+        .filter(|(_, rect)| rect.is_positive())
+        .collect();
+    let mut found = Vec::new();
+    for (index, (name, rect)) in all.iter().enumerate() {
+        for (other, second) in &all[index + 1..] {
+            let both = rect.intersect(*second);
+            if both.width() > 1.0 && both.height() > 1.0 {
+                found.push((name.clone(), other.clone()));
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn no_controls_overlap_in_a_window_of_640_by_400_points() {
+    let start = Start { settings: Settings::default(), ..Start::default() };
+    let mut hand = with(start, vec2(640.0, 400.0), Theme::Light);
+    assert_eq!(overlapping(&hand), [], "an empty canvas");
+    hand.press("Spots");
+    hand.until_settled();
+    assert_eq!(overlapping(&hand), [], "a texture");
+    hand.press("Panels");
+    hand.press("Draw");
+    assert_eq!(overlapping(&hand), [], "the column");
 }

@@ -305,6 +305,25 @@ fn escape_cancels_the_stroke_in_progress() {
 }
 
 #[test]
+fn undo_while_a_stroke_is_drawn_cancels_that_stroke_only() {
+    let mut hand = hand();
+    for x in [110.0, 220.0] {
+        hand.draw_round([x, 120.0], [30.0, 20.0], 20.0);
+    }
+    let events = stroke(&hand, circle([300.0, 300.0], 40.0));
+    let (begun, rest) = events.split_at(12);
+    hand.window.input_mut().events.extend(begun.iter().cloned());
+    hand.rest();
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(hand.ellipses().len(), 2, "the earlier marks stay");
+    hand.window.input_mut().events.extend(rest.iter().cloned());
+    hand.rest();
+    assert_eq!(hand.ellipses().len(), 2, "the cancelled stroke adds nothing");
+    hand.key(Modifiers::COMMAND, Key::Z);
+    assert_eq!(hand.ellipses().len(), 1, "the next undo is the step before");
+}
+
+#[test]
 fn movement_after_the_button_is_released_is_no_part_of_the_stroke() {
     let mut hand = hand();
     let mut path = Vec::new();
@@ -348,5 +367,6 @@ fn an_empty_canvas_offers_starters_until_the_first_mark() {
     assert!(hand.ellipses().len() > 3);
     hand.key(Modifiers::COMMAND, Key::Z);
     hand.press("A leopard");
+    hand.rest();
     assert_eq!(hand.document().layers.len(), 2);
 }

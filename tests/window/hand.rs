@@ -189,6 +189,14 @@ impl Hand {
         self.click_on(name, |window| window.query_by_role_and_label(role, name).map(|node| node.rect()));
     }
 
+    /// Clicks at a position on the screen.
+    pub fn click_field(&mut self, at: Pos2) {
+        for pressed in [true, false] {
+            self.window.hover_at(at);
+            self.button(at, pressed, Modifiers::NONE);
+        }
+    }
+
     /// Clicks on the control whose name contains these words.
     #[track_caller]
     pub fn click_label(&mut self, words: &str) {

@@ -59,6 +59,8 @@ fn undo(hand: &mut Hand) {
 
 /// Presses Tab until this button has the focus.
 fn tab_to(hand: &mut Hand, name: &str) {
+    // After the pointer, Tab alone hides the panels.
+    hand.key(Modifiers::SHIFT, Key::Tab);
     for _ in 0..80 {
         if hand.window.get_by_role_and_label(Role::Button, name).is_focused() {
             return;

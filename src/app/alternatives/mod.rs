@@ -20,6 +20,11 @@ use crate::synth::{Grown, Training};
 use series::{Job, News};
 use variants::{Variant, variants};
 
+/// Bytes that the grown textures of all alternatives may take.
+const MEMORY: usize = 64 << 20;
+/// Bytes that a grown texture takes for each px of the canvas and each layer, about: fields on a grid that is at most as fine.
+const BYTES: usize = 48;
+
 /// An alternative.
 pub struct Alternative {
     /// Its id; it never changes.
@@ -32,7 +37,8 @@ pub struct Alternative {
     pub document: Document,
     /// Whether it stays when the sketch changes.
     pub kept: bool,
-    /// The grown texture, once there is one.
+    /// The grown texture, once there is one. Where all of them would take too much memory, it is dropped again, and grows anew
+    /// when the alternative is opened.
     pub grown: Option<Arc<Grown>>,
     /// Its picture, once there is one.
     pub picture: Option<Arc<ColorImage>>,
@@ -156,7 +162,26 @@ impl Alternatives {
                     Ok((grown, picture)) => (one.grown, one.picture) = (Some(grown), Some(picture)),
                     Err(why) => one.failed = Some(why),
                 }
+                self.limit_memory();
             }
+        }
+    }
+
+    /// Drops grown textures where all of them take too much memory: of the starred alternatives first. The open one is kept,
+    /// and so is the original, from which the others take the layers that do not change.
+    fn limit_memory(&mut self) {
+        let bytes = |grown: &Grown| {
+            let [width, height] = grown.size.map(|side| side as usize);
+            BYTES * width * height * grown.layers.len()
+        };
+        let mut all: usize = self.all.iter().filter_map(|one| one.grown.as_deref()).map(bytes).sum();
+        let original = self.all.iter().find(|one| !one.kept).map(|one| one.id);
+        let needed = [original, self.taken];
+        for one in self.all.iter_mut().filter(|one| !needed.contains(&Some(one.id))) {
+            if all <= MEMORY {
+                return;
+            }
+            all -= one.grown.take().map_or(0, |grown| bytes(&grown));
         }
     }
 

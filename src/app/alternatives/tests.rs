@@ -113,3 +113,22 @@ fn another_document_replaces_the_sketch_as_a_whole() {
     put(&mut session, &other);
     assert_eq!(*session.document(), other);
 }
+
+#[test]
+fn grown_textures_that_take_too_much_memory_are_dropped_starred_ones_first() {
+    let texture = texture(&document(vec![spot([60.0, 60.0])]));
+    // Three of these take more than the memory of all.
+    let large = Arc::new(Grown { size: [800, 800], ..Grown::clone(&texture.grown) });
+    let mut all = Alternatives::new(Arc::default());
+    all.compare(&texture, 0);
+    all.all.truncate(3);
+    all.all[2].kept = true;
+    all.taken = Some(all.all[1].id);
+    for one in &mut all.all {
+        (one.grown, one.picture) = (Some(Arc::clone(&large)), Some(Arc::default()));
+    }
+    all.limit_memory();
+    let is_grown = |all: &Alternatives| all.all.iter().map(|one| one.grown.is_some()).collect::<Vec<_>>();
+    assert_eq!(is_grown(&all), [true, true, false], "the original and the open one stay");
+    assert!(all.is_complete(), "its picture stays, and it is not grown before it is opened");
+}

@@ -3,8 +3,9 @@
 use egui::Pos2;
 
 use super::handles::{self, Handle};
-use super::reference::{Part, Placement};
+use super::reference::Part;
 use super::tool::Tool;
+use crate::editor::backdrop::Placement;
 use crate::editor::selection::{Place, Selection};
 use crate::editor::session::Session;
 use crate::editor::shape;

@@ -33,6 +33,7 @@ use crate::editor::session::Session;
 use crate::editor::shape;
 use crate::editor::snap::Snap;
 use crate::editor::units::{Ruler, Units};
+use crate::editor::wheel::Wheel;
 use crate::marks::Mark;
 use crate::sketch::recognise;
 use analysis::Analysis;
@@ -92,6 +93,8 @@ pub struct Canvas {
     gesture: Option<Gesture>,
     /// How pens are used.
     pub pens: Pens,
+    /// What the wheel does.
+    pub wheel: Wheel,
     /// The pressure during the gesture.
     pressure: Pressure,
     /// The button of the gesture.
@@ -134,6 +137,7 @@ impl Default for Canvas {
             by_pointer: false,
             gesture: None,
             pens: Pens::default(),
+            wheel: Wheel::default(),
             pressure: Pressure::default(),
             button: PointerButton::Primary,
             pressed_at: Pos2::ZERO,
@@ -157,6 +161,12 @@ impl Canvas {
             .is_some_and(|gesture| !matches!(gesture, Gesture::Pan(_) | Gesture::Reference(..)))
     }
 
+    /// Whether a gesture changes the document or moves the reference picture.
+    #[must_use]
+    pub fn is_changing(&self) -> bool {
+        self.gesture.as_ref().is_some_and(|gesture| !matches!(gesture, Gesture::Pan(_)))
+    }
+
     /// The mark that a release of the pointer would add now.
     #[must_use]
     pub fn pending_mark(&self) -> Option<Mark> {
@@ -169,9 +179,8 @@ impl Canvas {
     /// Cancels the gesture and undoes its changes. Returns whether there was a gesture.
     pub fn cancel(&mut self, session: &mut Session) -> bool {
         self.pressure = Pressure::default();
-        let Some(gesture) = self.gesture.take() else { return false };
-        if let Gesture::Reference(_, _, before) = gesture {
-            self.reference.place(before, session.document().size);
+        if self.gesture.take().is_none() {
+            return false;
         }
         session.revert();
         true
@@ -209,7 +218,7 @@ impl Canvas {
             self.follow_pointer(ui, &response, room, session);
         }
         self.cursor(ui, &response, room, session);
-        navigate(ui, &response, room, &mut self.view, false);
+        navigate(ui, &response, room, &mut self.view, self.wheel, false);
         self.analysis.update(session);
         let changed = Drawn::default();
         let drawn = if session.revision() == revision { drawn } else { &changed };

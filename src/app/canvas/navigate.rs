@@ -3,10 +3,21 @@
 use egui::{Rect, Response, Ui, Vec2};
 
 use super::view::View;
+use crate::editor::wheel::Wheel;
 
-/// Moves `view`, which is shown in `room`, by the wheel, by two fingers, and by dragging while it is `grabbed`. Returns
+/// A turn of the wheel that would scroll so many points zooms by the factor e: as egui zooms with Ctrl.
+const WHEEL: f32 = 200.0;
+
+/// Moves `view`, which is shown in `room`, by the `wheel`, by two fingers, and by dragging while it is `grabbed`. Returns
 /// whether it moved.
-pub fn navigate(ui: &Ui, response: &Response, room: Rect, view: &mut View, grabbed: bool) -> bool {
+pub fn navigate(
+    ui: &Ui,
+    response: &Response,
+    room: Rect,
+    view: &mut View,
+    wheel: Wheel,
+    grabbed: bool,
+) -> bool {
     let before = *view;
     if grabbed && response.dragged() {
         view.pan(response.drag_delta());
@@ -15,7 +26,11 @@ pub fn navigate(ui: &Ui, response: &Response, room: Rect, view: &mut View, grabb
         let (scroll, zoom, touch, at) = ui.input(|input| {
             (input.smooth_scroll_delta(), input.zoom_delta(), input.multi_touch(), input.pointer.hover_pos())
         });
-        let scroll = touch.map_or(scroll, |touch| touch.translation_delta);
+        let (scroll, zoom) = match (touch, wheel) {
+            (Some(touch), _) => (touch.translation_delta, zoom),
+            (None, Wheel::Pan) => (scroll, zoom),
+            (None, Wheel::Zoom) => (Vec2::new(scroll.x, 0.0), zoom * (scroll.y / WHEEL).exp()),
+        };
         if scroll != Vec2::ZERO {
             view.pan(scroll);
         }

@@ -116,7 +116,7 @@ impl Canvas {
             }
             Some(Gesture::Reference(part, from, before)) => {
                 let placement = self.reference.dragged(*before, *part, [*from, hand.at]);
-                self.reference.place(placement, session.document().size);
+                self.reference.place(session, Some(placement));
             }
             Some(gesture) => gesture.advance(session, hand),
             None => {}

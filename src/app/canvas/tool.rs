@@ -1,5 +1,7 @@
 //! The tools.
 
+use std::borrow::Cow;
+
 use crate::app::icons::Icon;
 
 /// What the pointer does on the canvas.
@@ -37,22 +39,27 @@ impl Tool {
         }
     }
 
-    /// How it is used.
+    /// How it is used. `closed`: what a closed stroke becomes, with its article.
     #[must_use]
-    pub fn help(self) -> &'static str {
-        match self {
+    pub fn help(self, closed: &str) -> Cow<'static, str> {
+        Cow::Borrowed(match self {
             Self::Select => {
                 "Click a mark, or drag a box around several; Shift adds to the selection. Drag to move; drag \
                  the handles to resize and turn. Alt-drag or Ctrl-drag makes a copy."
             }
-            Self::Pen => "Draw with the pointer: a closed stroke becomes an ellipse, an open one a line.",
+            Self::Pen => {
+                return format!(
+                    "Draw with the pointer: a closed stroke becomes {closed}, an open one a line."
+                )
+                .into();
+            }
             Self::Ellipse => {
                 "Drag from corner to corner; Shift makes a circle. Click to add one like the last."
             }
             Self::Line => "Drag from end to end; Shift limits the angle to steps of 15°.",
             Self::Eraser => "Drag over marks to erase them.",
             Self::Hand => "Drag the view. With any tool: drag with the middle button, or hold Space.",
-        }
+        })
     }
 
     /// Its icon.

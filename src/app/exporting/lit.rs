@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use egui::{
-    Color32, ColorImage, Id, Key, Rect, Sense, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo,
+    Color32, ColorImage, Id, Key, Rect, Response, Sense, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo,
     accesskit::Role, pos2,
 };
 
@@ -17,6 +17,9 @@ pub const LIT: &str = "Lit";
 const MOST: f32 = 720.0;
 /// The rotation by one press of an arrow key, as a drag of this many points.
 const STEP: f32 = 20.0;
+/// The magnification by one press of a key, and by a turn of the wheel that would scroll this many points.
+const ZOOM: f32 = 1.25;
+const WHEEL: f32 = 200.0;
 
 /// The maps that are lit, from the pictures of a material and their names; `None` where one is missing.
 pub fn maps(pictures: &[(String, ColorImage)], wraps: bool) -> Option<Maps> {
@@ -79,8 +82,8 @@ pub struct LitView {
 }
 
 impl LitView {
-    /// Shows the last rendered view of the material in `room`. A drag or the arrow keys turn the body, a double click
-    /// turns it back.
+    /// Shows the last rendered view of the material in `room`. A drag or the arrow keys turn the body, the wheel or + and −
+    /// magnify it, a double click shows it as at first.
     pub fn ui(&mut self, ui: &Ui, room: Rect, maps: &Arc<Maps>, tasks: &Tasks) {
         let response = ui.interact(room, Id::unique("lit preview"), Sense::click_and_drag());
         let what = format!("Lit preview, {}", name(self.body));
@@ -92,6 +95,7 @@ impl LitView {
         if by != Vec2::ZERO {
             self.pose = self.pose.turned(by.into());
         }
+        self.pose = self.pose.zoomed(zoom(ui, &response));
         if response.double_clicked() {
             self.pose = Pose::default();
         }
@@ -111,7 +115,9 @@ impl LitView {
         }
         response
             .on_hover_cursor(egui::CursorIcon::Grab)
-            .on_hover_text("Drag to turn the body, or use the arrow keys; double-click to turn it back");
+            .on_hover_text(
+                "Drag to turn the body, or use the arrow keys; wheel, + and − magnify it; double-click to show it as at first",
+            );
     }
 
     /// Whether it is being rendered.
@@ -168,6 +174,20 @@ fn name(body: Body) -> &'static str {
     Body::ALL.iter().find(|(other, _)| *other == body).map_or("", |(_, name)| name)
 }
 
+/// The magnification that the wheel, two fingers or keys ask for, as a factor.
+fn zoom(ui: &Ui, response: &Response) -> f32 {
+    let keys = ui.input(|input| {
+        let pressed = |key| input.num_presses(key) as f32;
+        pressed(Key::Plus) + pressed(Key::Equals) - pressed(Key::Minus)
+    });
+    let by_keys = if response.has_focus() { ZOOM.powf(keys) } else { 1.0 };
+    if !response.contains_pointer() {
+        return by_keys;
+    }
+    let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
+    by_keys * pinch * (scroll / WHEEL).exp()
+}
+
 /// The rotation that the arrow keys ask for, points.
 fn arrows(ui: &Ui) -> Vec2 {
     ui.input(|input| {
@@ -210,6 +230,36 @@ mod tests {
             occlusion: &|_| 255,
         };
         Arc::new(Maps::new(&pictures, true))
+    }
+
+    #[test]
+    fn the_wheel_and_keys_magnify_the_body_and_a_double_click_shows_it_as_at_first() {
+        let (maps, tasks) = (flat(), Tasks::default());
+        let room = Rect::from_min_size(pos2(0.0, 0.0), Vec2::splat(64.0));
+        let show = move |ui: &mut Ui, view: &mut LitView| view.ui(ui, room, &maps, &tasks);
+        let mut harness = egui_kittest::Harness::builder().build_ui_state(show, LitView::default());
+        let zoom = |harness: &egui_kittest::Harness<'_, LitView>| harness.state().pose.zoom;
+        harness.hover_at(pos2(30.0, 30.0));
+        harness.run_steps(2);
+        harness.event(egui::Event::MouseWheel {
+            unit: egui::MouseWheelUnit::Point,
+            delta: egui::vec2(0.0, 80.0),
+            phase: egui::TouchPhase::Move,
+            modifiers: egui::Modifiers::NONE,
+            source: egui::MouseWheelSource::Wheel,
+        });
+        harness.run_steps(30);
+        let by_wheel = zoom(&harness);
+        assert!(by_wheel > 1.2, "{by_wheel}");
+        for _ in 0..2 {
+            harness.drag_at(pos2(30.0, 30.0));
+            harness.drop_at(pos2(30.0, 30.0));
+            harness.run_steps(1);
+        }
+        assert_eq!(harness.state().pose, Pose::default());
+        harness.key_press(Key::Plus);
+        harness.run_steps(2);
+        assert_eq!(zoom(&harness), ZOOM, "the click gave it the focus");
     }
 
     #[test]

@@ -68,7 +68,7 @@ fn head(ui: &mut Ui, alternatives: &Alternatives, growth: &Growth, actions: &mut
 /// One alternative: its picture, its star and its name.
 fn card(ui: &mut Ui, alternatives: &mut Alternatives, index: usize, actions: &mut Vec<Action>) {
     let one = &alternatives.all[index];
-    let (id, kept, is_done) = (one.id, one.kept, one.grown.is_some() && one.picture.is_some());
+    let (id, kept, is_done) = (one.id, one.kept, one.picture.is_some());
     let (is_open, progress) = (alternatives.is_taken(id), alternatives.progress(id));
     ui.vertical(|ui| {
         ui.spacing_mut().item_spacing.y = 3.0;

@@ -5,10 +5,11 @@ use egui::{DragValue, Slider, Ui};
 use super::form::{heading, rows};
 use crate::app::action::Action;
 use crate::app::canvas::Overlays;
-use crate::app::canvas::reference::{Placement, Reference};
+use crate::app::canvas::reference::Reference;
 use crate::app::fields::{DPI, REGIONS, SEAMLESS, SIDES, regions, resolution, sides};
 use crate::app::units::number_field;
 use crate::document::Document;
+use crate::editor::backdrop::Placement;
 use crate::editor::edit::Edit;
 use crate::editor::snap::{STEPS, Snap};
 use crate::editor::units::Ruler;
@@ -131,7 +132,7 @@ fn reference(ui: &mut Ui, state: &CanvasState) -> Vec<Action> {
     let mut actions = Vec::new();
     ui.horizontal(|ui| {
         let mut on = reference.shown;
-        if ui.checkbox(&mut on, "Show").on_hover_text(&reference.name).changed() {
+        if ui.checkbox(&mut on, "Show").on_hover_text(reference.name()).changed() {
             actions.push(Action::ShowReference(on));
         }
         let mut opacity = reference.opacity;

@@ -9,8 +9,8 @@ use super::result::mark_result;
 use super::selected;
 use super::wanted::{here, region};
 use crate::app::action::Action;
+use crate::app::canvas::Canvas;
 use crate::app::canvas::tool::Tool;
-use crate::app::canvas::{Canvas, Nib};
 use crate::app::result::Drawn;
 use crate::editor::selection::Place;
 use crate::editor::session::Session;
@@ -47,7 +47,7 @@ pub fn draw(ui: &mut Ui, state: &DrawState) -> Vec<Action> {
     ui.scope(|ui| {
         ui.set_min_size(vec2(ui.available_width(), FIELDS));
         if session.selection.is_empty() {
-            actions.extend(tool(ui, canvas.tool, canvas.nib, ruler));
+            actions.extend(tool(ui, session, canvas, ruler));
         } else {
             actions.extend(selected::selected(ui, session, ruler));
         }
@@ -68,7 +68,8 @@ pub fn draw(ui: &mut Ui, state: &DrawState) -> Vec<Action> {
 }
 
 /// The tool, and the size of the marks that it makes.
-fn tool(ui: &mut Ui, tool: Tool, nib: Nib, ruler: Ruler) -> Option<Action> {
+fn tool(ui: &mut Ui, session: &Session, canvas: &Canvas, ruler: Ruler) -> Option<Action> {
+    let (tool, nib) = (canvas.tool, canvas.nib);
     let mut new = nib;
     ui.label(RichText::new(tool.name()).strong());
     if matches!(tool, Tool::Pen | Tool::Line) {
@@ -94,6 +95,11 @@ fn tool(ui: &mut Ui, tool: Tool, nib: Nib, ruler: Ruler) -> Option<Action> {
         });
     } else {
         ui.weak("Nothing is selected.");
+    }
+    if session.areas(session.active_layer).is_some() && matches!(tool, Tool::Pen | Tool::Ellipse) {
+        let [closed, _] = session.closed_strokes(session.active_layer);
+        let what = if tool == Tool::Pen { "A closed stroke becomes" } else { "It becomes" };
+        ui.weak(format!("{what} {closed} on this layer."));
     }
     (new != nib).then_some(Action::Nib(new))
 }

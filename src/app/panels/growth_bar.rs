@@ -23,9 +23,12 @@ pub fn growth_bar(
     // The buttons are placed first; the text gets the space that is left.
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        actions.extend(seed(ui, document.seed));
+        let width = ui.available_width();
+        actions.extend(seed(ui, document.seed, width >= WITH_SEED));
         let help = "Other textures that fit the same sketch (A)";
-        if Icon::Strip.button(ui, "Alternatives", alternatives).on_hover_text(help).clicked() {
+        if width >= WITH_STRIP
+            && Icon::Strip.button(ui, "Alternatives", alternatives).on_hover_text(help).clicked()
+        {
             actions.push(Action::Alternatives(!alternatives));
         }
         if document.edges == Edges::Wrap {
@@ -51,16 +54,22 @@ pub fn growth_bar(
 /// Width beside the buttons from which the title is shown, points: from this width on there is also space for the state
 /// of the growth.
 const TITLED: f32 = 150.0;
+/// Widths from which the number of the seed and the button of the alternatives are shown, points; both are also in the menus
+/// or on keys.
+const WITH_SEED: f32 = 230.0;
+const WITH_STRIP: f32 = 178.0;
 /// Width that the text about a finished growth needs, points.
 const SPELLED_OUT: f32 = 90.0;
 
-fn seed(ui: &mut Ui, mut seed: u64) -> Option<Action> {
+fn seed(ui: &mut Ui, mut seed: u64, with_number: bool) -> Option<Action> {
     let mut action = None;
-    let field = DragValue::new(&mut seed).speed(0.05).update_while_editing(false);
-    let field = ui.add(field).accessible_name("Seed");
-    let help = "Number of the random start: with the same number, the same sketch grows the same texture";
-    if field.on_hover_text(help).changed() {
-        action = Some(Action::Edit(Edit::Seed(seed)));
+    if with_number {
+        let field = DragValue::new(&mut seed).speed(0.05).update_while_editing(false);
+        let field = ui.add(field).accessible_name("Seed");
+        let help = "Number of the random start: with the same number, the same sketch grows the same texture";
+        if field.on_hover_text(help).changed() {
+            action = Some(Action::Edit(Edit::Seed(seed)));
+        }
     }
     let help = "Another random start (N): a texture of the same kind, with other positions and shapes";
     if Icon::Dice.button(ui, "Another seed", false).on_hover_text(help).clicked() {

@@ -5,6 +5,7 @@ use egui::text::{LayoutJob, TextFormat};
 use egui::{Context, Key, MenuBar, Modifiers, Popup, RichText, Stroke, TextStyle, ThemePreference, Ui};
 
 use super::entries::Entries;
+use super::recent;
 use crate::app::action::{Action, Page};
 use crate::app::canvas::Overlays;
 use crate::app::growth::Growth;
@@ -12,6 +13,7 @@ use crate::app::platform;
 use crate::app::settings::Settings;
 use crate::app::shortcuts;
 use crate::editor::layer_action::LayerAction;
+use crate::editor::recent_sketches::RecentSketches;
 use crate::editor::session::Session;
 use crate::grid::Edges;
 
@@ -21,6 +23,8 @@ pub struct MenuState<'a> {
     pub session: &'a Session,
     /// Recent documents and the theme.
     pub settings: &'a Settings,
+    /// Small sketches of the recent documents.
+    pub sketches: &'a RecentSketches,
     /// The growth.
     pub growth: &'a Growth,
     /// What is shown over the sketch.
@@ -35,6 +39,8 @@ pub struct MenuState<'a> {
     pub alternatives: bool,
     /// Whether the tools and the column on the right are shown.
     pub columns: [bool; 2],
+    /// Whether all panels are hidden.
+    pub hidden: bool,
 }
 
 /// Shows the entries of a menu.
@@ -121,21 +127,10 @@ fn file(ui: &mut Ui, state: &MenuState, entries: &mut Entries) {
     ui.set_min_width(210.0);
     entries.item(ui, "New…", &Action::New, true);
     entries.item(ui, "Open…", &Action::Open, true);
-    let recent = &state.settings.recent;
-    let submenu = ui.add_enabled_ui(!recent.is_empty(), |ui| {
+    let paths = &state.settings.recent;
+    let submenu = ui.add_enabled_ui(!paths.is_empty(), |ui| {
         let shown = ui.menu_button("Open recent", |ui| {
-            for path in recent {
-                let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-                if ui.button(name).on_hover_text(path.display().to_string()).clicked() {
-                    entries.actions.push(Action::OpenFile(path.clone()));
-                    ui.close();
-                }
-            }
-            ui.separator();
-            if ui.button("Clear this list").clicked() {
-                entries.actions.push(Action::ForgetRecent);
-                ui.close();
-            }
+            recent::recent(ui, paths, state.sketches, entries.actions);
         });
         shown.response
     });
@@ -189,8 +184,7 @@ pub(super) fn clipboard(ui: &mut Ui, some: bool, entries: &mut Entries) {
 
 /// The entry that copies the texture; `can`: the texture is finished.
 pub(super) fn copy_picture(ui: &mut Ui, can: bool, entries: &mut Entries) {
-    let keys = format!("{}+C", ui.ctx().format_modifiers(Modifiers::COMMAND | Modifiers::SHIFT));
-    entries.item_with(ui, "Copy the texture as a picture", &keys, &Action::CopyPicture, can);
+    entries.item(ui, "Copy the texture as a picture", &Action::CopyPicture, can);
 }
 
 /// The entry that copies a link; `can`: the document is not empty.
@@ -222,6 +216,16 @@ fn view(ui: &mut Ui, state: &MenuState, entries: &mut Entries) {
     let [tools, column] = state.columns;
     entries.check(ui, "Tools", tools, &Action::Tools(!tools), true);
     entries.check(ui, "Right column", column, &Action::Column(!column), true);
+    entries.item_with(
+        ui,
+        if state.hidden { "Show panels" } else { "Hide panels" },
+        "Tab",
+        &Action::TogglePanels,
+        true,
+    );
+    if platform::CAN_QUIT {
+        entries.item(ui, "Full screen", &Action::FullScreen, true);
+    }
     entries.item(ui, "Reference picture…", &Action::ChooseReference, true);
     ui.separator();
     entries.item(ui, "Show the whole canvas", &Action::Fit, true);

@@ -175,7 +175,7 @@ fn missed_of(ui: &mut Ui, session: &Session, drawn: &Drawn, layer: usize) -> Vec
         told(
             ui,
             &format!(
-                "{name}: spots grew together at {places} (signs on sketch and texture). Draw the marks around \
+                "{name}: spots grew together at {places} (signs on the sketch and beside the texture). Draw the marks around \
                  these places farther apart \
                  or smaller, or try another random start."
             ),

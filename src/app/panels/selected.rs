@@ -6,6 +6,7 @@ use super::form::{presets, rows};
 use super::typed_rows::typed_rows;
 use crate::app::action::Action;
 use crate::app::units::number_field;
+use crate::document::AreaKind;
 use crate::editor::edit::Edit;
 use crate::editor::selection::Place;
 use crate::editor::session::Session;
@@ -18,10 +19,10 @@ use crate::marks::{Ellipse, Line, Mark, Path};
 pub fn selected(ui: &mut Ui, session: &Session, ruler: Ruler) -> Vec<Action> {
     let marks: Vec<(Place, Mark)> = session.selected().collect();
     let changed = match &marks[..] {
-        [(place, Mark::Ellipse(ellipse))] => self::ellipse(ui, ruler, *place, *ellipse),
+        [(place, Mark::Ellipse(ellipse))] => self::ellipse(ui, session, ruler, *place, *ellipse),
         [(place, Mark::Line(line))] => self::line(ui, ruler, *place, *line),
         [(place, Mark::Path(path))] => self::path(ui, ruler, *place, path.clone()),
-        several => self::several(ui, ruler, several),
+        several => self::several(ui, session, ruler, several),
     };
     let mut actions: Vec<Action> =
         changed.map(|marks| Action::Edit(Edit::Marks(marks))).into_iter().collect();
@@ -77,8 +78,19 @@ fn point(ui: &mut Ui, name: &str, value: &mut [f64; 2], ruler: Ruler) -> bool {
     changed
 }
 
-fn ellipse(ui: &mut Ui, ruler: Ruler, place: Place, mut ellipse: Ellipse) -> Option<Vec<(Place, Mark)>> {
-    ui.label(RichText::new("Ellipse").strong());
+fn ellipse(
+    ui: &mut Ui,
+    session: &Session,
+    ruler: Ruler,
+    place: Place,
+    mut ellipse: Ellipse,
+) -> Option<Vec<(Place, Mark)>> {
+    let title = match session.areas(place.layer) {
+        Some(AreaKind::Polygons) => "Cell",
+        Some(AreaKind::Patches) => "Patch",
+        None => "Ellipse",
+    };
+    ui.label(RichText::new(title).strong());
     let before = ellipse;
     rows(ui, "ellipse", |ui| {
         point(ui, "Centre", &mut ellipse.center, ruler);
@@ -147,10 +159,17 @@ fn path(ui: &mut Ui, ruler: Ruler, place: Place, mut path: Path) -> Option<Vec<(
     (path != before).then(|| vec![(place, Mark::Path(path))])
 }
 
-fn several(ui: &mut Ui, ruler: Ruler, marks: &[(Place, Mark)]) -> Option<Vec<(Place, Mark)>> {
+fn several(
+    ui: &mut Ui,
+    session: &Session,
+    ruler: Ruler,
+    marks: &[(Place, Mark)],
+) -> Option<Vec<(Place, Mark)>> {
     ui.label(RichText::new(format!("{} marks", marks.len())).strong());
     let mut changed = None;
-    rows(ui, "many", |ui| changed = typed_rows(ui, ruler, marks, " of all"));
+    let layer = marks.first().and_then(|(place, _)| session.document().layers.get(place.layer));
+    let duty = layer.and_then(|layer| layer.options.duty.given());
+    rows(ui, "many", |ui| changed = typed_rows(ui, ruler, marks, duty, " of all"));
     let first = marks.iter().find_map(|(_, mark)| typed::width_of(mark));
     if let Some(mut width) = first
         && presets(ui, &mut width, ruler)

@@ -41,7 +41,7 @@ impl Starter {
         match self {
             Self::Spots => Action::Begin(Beginning::Spots),
             Self::Stripes => Action::Begin(Beginning::Stripes),
-            Self::Animal => Action::Example(ANIMAL),
+            Self::Animal => Action::Begin(Beginning::Example(ANIMAL)),
             Self::Cow => Action::Begin(Beginning::Cow),
         }
     }
@@ -50,8 +50,10 @@ impl Starter {
 /// Shows them below `paper`, the canvas in `room`; where there is no space, at its lower edge.
 pub fn starters(ui: &mut Ui, room: Rect, paper: Rect) -> Option<Action> {
     let wide = room.width().min(paper.width().max(220.0)) - 2.0 * GAP;
-    let gaps = (Starter::ALL.len() - 1) as f32 * GAP;
-    let side = ((wide - gaps) / Starter::ALL.len() as f32).clamp(SIDES[1], SIDES[0]);
+    // As many as have room side by side.
+    let shown = (((wide + GAP) / (SIDES[1] + GAP)) as usize).clamp(1, Starter::ALL.len());
+    let gaps = (shown - 1) as f32 * GAP;
+    let side = ((wide - gaps) / shown as f32).clamp(SIDES[1], SIDES[0]);
     let height = side + 2.0 * TEXT;
     let below = paper.bottom().max(room.top()) + 8.0;
     let top = if below + height <= room.bottom() - 4.0 { below } else { room.bottom() - height - 6.0 };
@@ -59,9 +61,9 @@ pub fn starters(ui: &mut Ui, room: Rect, paper: Rect) -> Option<Action> {
     let font = FontId::proportional(13.0);
     let text = pos2(room.center().x, top + 0.5 * TEXT);
     ui.painter().text(text, Align2::CENTER_CENTER, "Or begin with", font, weak);
-    let all = Starter::ALL.len() as f32 * side + gaps;
+    let all = shown as f32 * side + gaps;
     let mut action = None;
-    for (index, (starter, name)) in Starter::ALL.into_iter().enumerate() {
+    for (index, (starter, name)) in Starter::ALL.into_iter().take(shown).enumerate() {
         let left = room.center().x - 0.5 * all + index as f32 * (side + GAP);
         let place = Rect::from_min_size(pos2(left, top + TEXT), Vec2::splat(side));
         if card(ui, place, starter, name) {
@@ -88,7 +90,7 @@ fn card(ui: &Ui, rect: Rect, starter: Starter, name: &str) -> bool {
     let help = match starter {
         Starter::Spots => "Draws six spots; their texture grows at once",
         Starter::Stripes => "Draws four lines; their texture grows at once",
-        Starter::Animal => "Opens an example with two layers",
+        Starter::Animal => "Draws spots and rings on two layers; their texture grows at once",
         Starter::Cow => "Fills the canvas with blotches; nothing has to be drawn",
     };
     response.on_hover_text(help).clicked()

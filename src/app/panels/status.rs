@@ -7,11 +7,12 @@ use crate::app::canvas::Canvas;
 use crate::app::exporting::Exporting;
 use crate::editor::units::Ruler;
 
-/// Shows the line. `unfolded`: on a small screen, whether the column on the right is shown. There a button unfolds it,
+/// Shows the line. `closed`: what a closed stroke becomes, with its article. `unfolded`: on a narrow screen, whether the column on the right is shown. There a button unfolds it,
 /// and the help on the tool is left out.
 pub fn status(
     ui: &mut Ui,
     canvas: &Canvas,
+    closed: &str,
     ruler: Ruler,
     exporting: Option<&Exporting>,
     unfolded: Option<bool>,
@@ -19,7 +20,7 @@ pub fn status(
     let mut action = None;
     ui.horizontal_centered(|ui| {
         if unfolded.is_none() {
-            ui.label(RichText::new(canvas.tool.help()).small().weak());
+            ui.label(RichText::new(canvas.tool.help(closed)).small().weak());
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if let Some(unfolded) = unfolded

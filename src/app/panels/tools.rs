@@ -11,6 +11,7 @@ use crate::editor::session::Session;
 /// Shows the column. `current`: the tool that is chosen.
 pub fn tools(ui: &mut Ui, current: Tool, session: &Session) -> Option<Action> {
     let mut chosen = None;
+    let [closed, _] = session.closed_strokes(session.active_layer);
     let size = vec2(36.0, 34.0);
     ui.spacing_mut().item_spacing.y = 4.0;
     ui.vertical_centered(|ui| {
@@ -22,7 +23,7 @@ pub fn tools(ui: &mut Ui, current: Tool, session: &Session) -> Option<Action> {
             let keys = shortcuts::shortcut_text(ui.ctx(), &Action::Tool(tool)).unwrap_or_default();
             let button = button.on_hover_ui(|ui| {
                 ui.strong(format!("{} ({keys})", tool.name()));
-                ui.label(tool.help());
+                ui.label(tool.help(closed));
             });
             if button.clicked() {
                 chosen = Some(Action::Tool(tool));

@@ -8,12 +8,14 @@ use crate::editor::typed;
 use crate::editor::units::Ruler;
 use crate::marks::Mark;
 
-/// Shows a row for each attribute of the marks in a grid of two columns; `of` is added to the names that screen readers
+/// Shows a row for each attribute of the marks in a grid of two columns. Where the layer has a given `duty`, the period of its
+/// stripes follows from their width, and not from the distances of the lines. `of` is added to the names that screen readers
 /// read, for example ` of all`. A number that is changed gives the marks that replace them.
 pub fn typed_rows(
     ui: &mut Ui,
     ruler: Ruler,
     marks: &[(Place, Mark)],
+    duty: Option<f64>,
     of: &str,
 ) -> Option<Vec<(Place, Mark)>> {
     let mut changed = None;
@@ -63,7 +65,12 @@ pub fn typed_rows(
         }
         ui.end_row();
     }
-    if let Some(before) = typed::period(marks) {
+    if let (Some(width), Some(duty)) = (typed::width(marks), duty) {
+        ui.label("Period")
+            .on_hover_text("Width ÷ the stripe width (share of the period) that is set for this layer");
+        ui.label(ruler.rough(width / duty));
+        ui.end_row();
+    } else if let Some(before) = typed::period(marks) {
         ui.label("Line spacing").on_hover_text(
             "Mean distance of lines side by side, from the middle of one to the middle of the next. Changing it moves the lines \
              apart or together; their widths stay",

@@ -51,7 +51,8 @@ pub fn region(ui: &mut Ui, session: &Session, canvas: &Canvas, ruler: Ruler) -> 
              region that has some",
         );
         if is_own && !session.is_active_frozen() {
-            changed = typed_rows(ui, ruler, &marks, " of the region");
+            let duty = session.document().layers.get(layer).and_then(|layer| layer.options.duty.given());
+            changed = typed_rows(ui, ruler, &marks, duty, " of the region");
         } else {
             rows_of(ui, &map.at(map.layout().center(place)), ruler);
         }

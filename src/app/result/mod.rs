@@ -212,10 +212,18 @@ pub fn session_layer(session: &Session, layer: usize) -> Option<usize> {
 }
 
 /// The result of a layer of what has grown.
-fn result_of(layer: &GrownLayer, report: LayerReport) -> LayerResult {
+fn result_of(grown: &Grown, layer: &GrownLayer, report: LayerReport) -> LayerResult {
     let LayerReport { name, regions, growth, threads, notes, note_on_drawn, blotches, drawn, merged, .. } =
         report;
-    let result = |report| RegionResult { verdict: Verdict::for_region(&report), report, reach: None };
+    let is_wrong = |mark: &&DrawnMark| !mark.there || mark.reason.is_some();
+    let wrong: Vec<[f64; 2]> = drawn.iter().filter(is_wrong).map(|mark| mark.place).collect();
+    let result = |report: RegionReport| {
+        // A tick says that all is as it was drawn.
+        let is_here = |place: &[f64; 2]| region_at(grown, *place) == report.place;
+        let has_wrong = wrong.iter().chain(&merged).any(is_here);
+        let verdict = if has_wrong { Verdict::Missed } else { Verdict::for_region(&report) };
+        RegionResult { verdict, report, reach: None }
+    };
     // The drawn marks are listed separately.
     let mut notes: Vec<String> =
         notes.into_iter().filter(|note| Some(note) != note_on_drawn.as_ref()).collect();
@@ -223,13 +231,22 @@ fn result_of(layer: &GrownLayer, report: LayerReport) -> LayerResult {
         notes.insert(0, format!("Blotches are {got:.1} px wide; {asked:.1} px were asked for"));
     }
     let trained = layer.marks().map(|marks| marks.plan.lookup.system);
-    let regions = regions.into_iter().map(result).collect();
+    let regions: Vec<RegionResult> = regions.into_iter().map(result).collect();
     LayerResult { name, system: layer.system(), trained, regions, growth, threads, notes, drawn, merged }
+}
+
+/// The region of a place, px: (column, row).
+fn region_at(grown: &Grown, place: [f64; 2]) -> [usize; 2] {
+    let (size, grid) = (grown.size.map(f64::from), grown.document.region_grid());
+    [0, 1].map(|axis| {
+        let at = place[axis] / size[axis] * grid[axis] as f64;
+        (at.max(0.0) as usize).min(grid[axis].saturating_sub(1))
+    })
 }
 
 fn work(grown: &Grown, training: &Training, all: bool, worker: &Worker<News>) {
     let reports = layer_reports(&grown.document, grown);
-    let layers = grown.layers.iter().zip(reports).map(|(layer, report)| result_of(layer, report));
+    let layers = grown.layers.iter().zip(reports).map(|(layer, report)| result_of(grown, layer, report));
     let layers: Vec<LayerResult> = layers.collect();
     let beyond = |layer: &LayerResult| {
         let regions = layer.regions.iter().enumerate();

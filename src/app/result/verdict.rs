@@ -43,7 +43,7 @@ impl Verdict {
         })
     }
 
-    /// The verdict on a region: that on its worst attribute.
+    /// The verdict on the numbers of a region: that on its worst attribute.
     #[must_use]
     pub fn for_region(report: &RegionReport) -> Self {
         if !report.beyond.is_empty() {
@@ -69,11 +69,15 @@ impl Verdict {
     pub fn help(self) -> &'static str {
         match self {
             Self::Met => {
-                "Reached: area, spacing and width within 5 %, aspect within 0.05, direction within 5°"
+                "Reached: area, spacing and width within 5 %, aspect within 0.05, direction within 5°, and every mark grew \
+                 as it was drawn"
             }
             Self::Unknown => "Not measured: no whole mark grew here",
             Self::Near => "Close: area, spacing or width off by up to 15 %, aspect by 0.12, direction by 15°",
-            Self::Missed => "Missed: off by more (over 15 %, 0.12 or 15°), or not possible with this system",
+            Self::Missed => {
+                "Missed: off by more (over 15 %, 0.12 or 15°), not possible with this system, or a mark did not grow as it \
+                 was drawn"
+            }
         }
     }
 

@@ -16,6 +16,8 @@ fn everything_is_remembered() {
     settings.theme = ThemePreference::Dark;
     settings.units = Units::Mm;
     settings.threads = Some(3);
+    settings.wheel = Wheel::Zoom;
+    settings.scale = 1.25;
     settings.site = "https://a.example/".to_owned();
     settings.new = New { size: [300, 200], regions: Some([3, 1]), seamless: true, dpi: 150.5 };
     settings.layout = Layout {
@@ -39,6 +41,7 @@ fn everything_is_remembered() {
     let again = Settings::read(&file);
     assert_eq!(again.recent, [Path::new("/a/b\n%.dapple")]);
     assert_eq!(again.entries(), settings.entries());
+    assert_eq!((again.wheel, again.scale), (Wheel::Zoom, 1.25));
     assert_eq!(again.site, "https://a.example/");
     assert_eq!((again.layout, again.new), (settings.layout.clone(), settings.new.clone()));
     settings.theme = ThemePreference::System;

@@ -93,7 +93,7 @@ impl Window {
 
     /// Takes a picture from the clipboard as reference picture.
     pub(super) fn paste_picture(&mut self, picture: Arc<ColorImage>) {
-        let loading = self.canvas.reference.take_picture(picture, "Pasted picture", &self.tasks);
+        let loading = self.canvas.reference.take_picture(picture, "Pasted picture", false, &self.tasks);
         self.report(loading.err());
     }
 

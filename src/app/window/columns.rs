@@ -9,12 +9,12 @@ use crate::app::growth::Growth;
 use crate::app::panels;
 use crate::app::result::{Drawn, Outcome, Results};
 use crate::app::settings::COLUMN_WIDTHS;
-use crate::app::small_screen::is_small;
+use crate::app::small_screen::is_narrow;
 
 impl Window {
     /// The tools.
     pub(super) fn tools(&self, ui: &mut Ui) -> Option<Action> {
-        if !self.settings.layout.tools {
+        if !self.shows_tools(ui.ctx()) {
             return None;
         }
         let frame = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(6, 8));
@@ -22,14 +22,28 @@ impl Window {
         tools.show(ui, |ui| panels::tools(ui, self.canvas.tool, &self.session)).inner
     }
 
-    /// Whether the column on the right is shown: on a small screen only while it is unfolded.
+    /// Whether the tools are shown: on a narrow screen, not beside the column on the right.
+    pub(super) fn shows_tools(&self, ctx: &Context) -> bool {
+        let has_room = !(is_narrow(ctx) && self.unfolded);
+        self.settings.layout.tools && has_room && !self.panels_hidden
+    }
+
+    /// Shows the tools, or hides them.
+    pub(super) fn show_tools(&mut self, shown: bool) {
+        self.settings.layout.tools = shown;
+        self.panels_hidden &= !shown;
+    }
+
+    /// Whether the column on the right is shown: on a narrow screen only while it is unfolded.
     pub(super) fn shows_column(&self, ctx: &Context) -> bool {
-        if is_small(ctx) { self.unfolded } else { self.settings.layout.column }
+        let is_chosen = if is_narrow(ctx) { self.unfolded } else { self.settings.layout.column };
+        is_chosen && !self.panels_hidden
     }
 
     /// Shows the column on the right, or hides it.
     pub(super) fn show_column(&mut self, ctx: &Context, shown: bool) {
-        let column = if is_small(ctx) { &mut self.unfolded } else { &mut self.settings.layout.column };
+        self.panels_hidden &= !shown;
+        let column = if is_narrow(ctx) { &mut self.unfolded } else { &mut self.settings.layout.column };
         *column = shown;
     }
 

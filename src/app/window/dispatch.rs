@@ -25,7 +25,6 @@ impl Window {
     pub fn perform(&mut self, ui: &Ui, action: Action) {
         match action {
             Action::New
-            | Action::Open
             | Action::OpenFile(_)
             | Action::OpenLink(_)
             | Action::Import
@@ -33,7 +32,13 @@ impl Window {
             | Action::Example(_)
             | Action::Restore(_)
             | Action::Quit => self.unless_unsaved(ui, action),
+            // Whether something unsaved would be lost is asked once the file is known: a picture may be drawn over.
+            Action::Open => self.choose(Purpose::Open, ""),
             Action::Discard(id) => self.discard(&id),
+            Action::ReadRecent => {
+                let reading = self.recent_sketches.read(&self.settings.recent, &self.tasks);
+                self.report(reading.err());
+            }
             Action::ForgetRecent => self.settings.forget(),
             Action::Save => self.save(None),
             Action::SaveAs => self.save_as(),
@@ -44,8 +49,8 @@ impl Window {
             Action::ChoosePicture(wanted) => self.choose(Purpose::Picture(wanted), ""),
             Action::SavePalette => self.save_palette_as(),
             Action::Page(page) => self.turn_to(page),
-            Action::Alternatives(shown) => self.alternatives.shown = shown,
-            Action::ToggleAlternatives => self.alternatives.shown = !self.alternatives.shown,
+            Action::Alternatives(shown) => self.show_alternatives(shown),
+            Action::ToggleAlternatives => self.show_alternatives(!self.shows_alternatives()),
             Action::TakeAlternative(id) => self.take_alternative(id),
             Action::KeepAlternative(id, kept) => self.keep_alternative(id, kept),
             Action::StopAlternatives(stopped) => self.alternatives.stop(stopped),
@@ -77,7 +82,7 @@ impl Window {
             Action::Widen(by) => self.widen(by),
             Action::Align(axis) => self.session.align(axis),
             Action::Distribute(axis) => self.session.distribute(axis),
-            Action::Begin(beginning) => self.begin_with(beginning),
+            Action::Begin(beginning) => self.begin_with(ui, beginning),
             Action::ContextMenu => self.open_context_menu(),
             Action::Insert(ellipse) => self.insert(ellipse),
             Action::AnotherSeed => self.another_seed(),
@@ -90,7 +95,12 @@ impl Window {
             }
             Action::Column(shown) => self.show_column(ui.ctx(), shown),
             Action::ToggleColumn => self.show_column(ui.ctx(), !self.shows_column(ui.ctx())),
-            Action::Tools(shown) => self.settings.layout.tools = shown,
+            Action::Tools(shown) => self.show_tools(shown),
+            Action::TogglePanels => self.panels_hidden = !self.panels_hidden,
+            Action::FullScreen => {
+                let is_full = ui.input(|input| input.viewport().fullscreen == Some(true));
+                ui.send_viewport_cmd(ViewportCommand::Fullscreen(!is_full));
+            }
             Action::Nib(nib) => self.canvas.nib = nib,
             Action::Tab(tab) => self.tab = tab,
             Action::Over(over) => self.over = over,
@@ -114,10 +124,10 @@ impl Window {
                 }
             }
             Action::PlaceReference(placement) => {
-                self.canvas.reference.place(placement, self.session.document().size);
+                self.canvas.reference.place(&mut self.session, Some(placement));
             }
-            Action::FitReference => self.canvas.reference.fit(),
-            Action::RemoveReference => self.canvas.reference.clear(),
+            Action::FitReference => self.canvas.reference.place(&mut self.session, None),
+            Action::RemoveReference => self.session.set_backdrop(None),
             Action::Theme(theme) => {
                 self.settings.theme = theme;
                 ui.ctx().set_theme(theme);
@@ -215,6 +225,15 @@ impl Window {
             self.canvas.view.fitted = true;
             self.texture.view.fitted = true;
         }
+    }
+
+    fn shows_alternatives(&self) -> bool {
+        self.alternatives.shown && !self.panels_hidden
+    }
+
+    fn show_alternatives(&mut self, shown: bool) {
+        self.alternatives.shown = shown;
+        self.panels_hidden &= !shown;
     }
 
     /// Opens a new document.

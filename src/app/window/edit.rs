@@ -1,6 +1,9 @@
 //! Actions on marks: delete, copy, paste, select the next, turn, insert.
 
+use egui::Ui;
+
 use super::Window;
+use super::examples::ExampleUse;
 use crate::app::action::Beginning;
 use crate::app::canvas::tool::Tool;
 use crate::app::canvas::{FROZEN, starter};
@@ -114,11 +117,12 @@ impl Window {
     }
 
     /// Puts the marks or the layer that the user chose to begin with on an empty canvas.
-    pub(super) fn begin_with(&mut self, beginning: Beginning) {
+    pub(super) fn begin_with(&mut self, ui: &Ui, beginning: Beginning) {
         let size = self.session.document().size;
         match beginning {
             Beginning::Spots => self.session.add(&starter(size, true)),
             Beginning::Stripes => self.session.add(&starter(size, false)),
+            Beginning::Example(name) => self.read_example(ui, name, ExampleUse::Begin),
             Beginning::Cow => self.session.edit(|document| document.layers = vec![Layer::cow()]),
         }
         self.session.selection.clear();

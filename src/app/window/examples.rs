@@ -16,9 +16,19 @@ use crate::machine::clock::Instant;
 /// A longer wait is reported to the user, seconds.
 const LONG: f64 = 0.3;
 
+/// What an example is read for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum ExampleUse {
+    /// To be opened.
+    Open,
+    /// For its marks, which an empty canvas gets.
+    Begin,
+}
+
 /// An example that is being read.
 pub struct ReadingExample {
     example: &'static Example,
+    wanted: ExampleUse,
     task: Task<Result<Document, String>>,
     began: Instant,
     /// The session's revision at that time.
@@ -28,8 +38,8 @@ pub struct ReadingExample {
 }
 
 impl Window {
-    /// Reads an example, and opens it once it is read.
-    pub(super) fn open_example(&mut self, ui: &Ui, name: &str) {
+    /// Reads an example, and opens it or takes its marks once it is read.
+    pub(super) fn read_example(&mut self, ui: &Ui, name: &str, wanted: ExampleUse) {
         let Some(example) = examples::named(name) else { return };
         let work = move |worker: &Worker<_>| worker.send(read(example.document));
         match self.tasks.start("reading an example", work) {
@@ -37,7 +47,8 @@ impl Window {
                 // The page of examples would cover the message.
                 self.page = None;
                 let (began, revision) = (Instant::now(), self.session.revision());
-                self.files.example = Some(ReadingExample { example, task, began, revision, told: false });
+                self.files.example =
+                    Some(ReadingExample { example, wanted, task, began, revision, told: false });
                 ui.ctx().request_repaint_after_secs(LONG as f32);
             }
             Err(error) => self.notices.wrong(error.to_string()),
@@ -61,6 +72,7 @@ impl Window {
                     .wrong("Reading the example failed because of an error in dapple. Please report it.");
             }
             Some(Err(why)) => self.notices.wrong(why),
+            Some(Ok(document)) if reading.wanted == ExampleUse::Begin => self.take_marks(document),
             // The user has drawn something in the meantime.
             Some(Ok(_)) if reading.revision != self.session.revision() && self.has_unsaved() => {
                 self.files.unsaved = Some(Action::Example(reading.example.name));
@@ -71,6 +83,14 @@ impl Window {
                     self.notices.done(format!("Opened {}", reading.example.title));
                 }
             }
+        }
+    }
+
+    /// Puts the marks of an example on the canvas, which is empty unless the user has drawn something in the meantime.
+    fn take_marks(&mut self, document: Document) {
+        if self.session.is_empty() {
+            self.session.begin_with(document);
+            self.session.selection.clear();
         }
     }
 }

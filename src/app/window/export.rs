@@ -43,11 +43,9 @@ impl Window {
 
     /// The file name of exports, without an ending.
     fn stem(&self) -> String {
-        let title = self.session.title();
         match self.session.path.as_deref().and_then(Path::file_stem) {
-            Some(stem) => stem.to_string_lossy().into_owned(),
-            // Names of documents may hold characters that file names cannot.
-            None => title.replace(['/', '\\', ':', '\0'], " "),
+            Some(stem) => file_name(&stem.to_string_lossy()),
+            None => file_name(&self.session.title()),
         }
     }
 
@@ -185,5 +183,36 @@ impl Window {
             }
         }
         (self.exporting, self.files.exporting) = (None, None);
+    }
+}
+
+/// A name as that of a file or a folder: without quotes and brackets, which have a meaning in command lines, without
+/// characters that file names cannot hold, and with single blanks.
+fn file_name(name: &str) -> String {
+    let is_quote = |c: &char| "\"'`“”„‟‘’‚‛«»‹›".contains(*c);
+    let is_blank = |c: char| "()[]{}<>/\\:*?|".contains(c) || c.is_control();
+    let left = name.chars().filter(|c| !is_quote(c));
+    let plain: String = left.map(|c| if is_blank(c) { ' ' } else { c }).collect();
+    let words: Vec<&str> = plain.split_whitespace().collect();
+    let tidy = words.join(" ").replace(" ,", ",").trim_matches(['.', ',', ' ']).to_owned();
+    if tidy.is_empty() { "untitled".to_owned() } else { tidy }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::file_name;
+
+    #[test]
+    fn names_of_exports_have_no_quotes_brackets_or_double_blanks() {
+        for (name, written) in [
+            ("leopard: rosettes (Turk 1991, fig. 2)", "leopard rosettes Turk 1991, fig. 2"),
+            ("the \"best\"  one [2]", "the best one 2"),
+            ("‘a’ {b}, <c>/d\\e", "a b, c d e"),
+            ("cat's coat", "cats coat"),
+            ("()", "untitled"),
+            ("plain-name_1.2", "plain-name_1.2"),
+        ] {
+            assert_eq!(file_name(name), written);
+        }
     }
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use egui::{Align2, Color32, FontId, Id, Ui, ViewportCommand};
 
 use super::Window;
-use super::examples::ReadingExample;
+use super::examples::{ExampleUse, ReadingExample};
 use super::links::Unlinked;
 use super::palettes::PaletteFiles;
 use super::pictures::ReadingPicture;
@@ -125,6 +125,11 @@ impl Files {
 }
 
 impl Window {
+    /// Opens a file as if it were dropped: the user is asked what a picture is for.
+    pub(super) fn open_any(&mut self, path: PathBuf) {
+        self.inspect(vec![path]);
+    }
+
     /// Reads a document, the document in a picture, or a drawing on another thread, and opens it once it is read.
     pub(super) fn open(&mut self, path: &Path) {
         match reading::read(path, &self.tasks) {
@@ -196,11 +201,10 @@ impl Window {
     pub(super) fn go_on(&mut self, ui: &Ui, action: Action) {
         match action {
             Action::New => self.files.new = Some(self.settings.new.clone()),
-            Action::Open => self.choose(Purpose::Open, ""),
             Action::OpenFile(path) => self.open(&path),
             Action::OpenLink(link) => self.open_link(&link),
             Action::Import => self.choose(Purpose::Import, ""),
-            Action::Example(name) => self.open_example(ui, name),
+            Action::Example(name) => self.read_example(ui, name, ExampleUse::Open),
             Action::Restore(id) => self.restore(&id),
             Action::TakePhoto => self.take_photo(),
             Action::Quit => self.close(ui),
@@ -272,6 +276,7 @@ impl Window {
             Ok(()) => {
                 self.session.mark_saved(saving.document.clone(), &saving.path);
                 self.settings.remember(&saving.path);
+                self.recent_sketches.forget(&saving.path);
                 platform::hand_over(&saving.path);
                 self.notices.done(format!("Saved as {}", platform::shown(&saving.path)));
                 true
@@ -300,7 +305,8 @@ impl Window {
 
     pub(super) fn chosen(&mut self, purpose: Purpose, path: PathBuf) {
         match purpose {
-            Purpose::Open | Purpose::Import => self.open(&path),
+            Purpose::Open => self.open_any(path),
+            Purpose::Import => self.open(&path),
             Purpose::Save => self.save(Some(path)),
             Purpose::Export(_) | Purpose::ExportInto => self.export_chosen(&path),
             Purpose::Become => self.become_chosen(path),
@@ -314,12 +320,13 @@ impl Window {
 
     /// Receives messages from tasks and from the window system.
     pub(super) fn listen(&mut self, ui: &Ui) {
-        if let Err(why) = self.canvas.reference.listen(ui.ctx()) {
+        if let Err(why) = self.canvas.reference.follow(ui.ctx(), &mut self.session) {
             self.notices.wrong(why);
         }
         for why in platform::not_handed_over() {
             self.notices.wrong(why);
         }
+        self.recent_sketches.listen();
         self.listen_to_clipboard(ui.ctx());
         self.listen_to_export(ui);
         self.listen_to_reading();
@@ -358,9 +365,13 @@ impl Window {
                 Color32::WHITE,
             );
         }
-        if files.is_empty() {
-            return;
+        if !files.is_empty() {
+            self.inspect(files);
         }
+    }
+
+    /// Finds out on another thread what each of these files is, and opens it accordingly.
+    fn inspect(&mut self, files: Vec<PathBuf>) {
         match reading::inspect(files, &self.tasks) {
             Ok(task) => self.files.inspecting = Some(task),
             Err(error) => self.notices.wrong(error.to_string()),

@@ -10,8 +10,9 @@ use super::places::Places;
 use crate::app::action::{Action, Tab};
 use crate::app::canvas::view::View;
 use crate::app::growth::GrowthState;
+use crate::app::panels::Signs;
 use crate::app::presentation::Presentation;
-use crate::app::small_screen::is_small;
+use crate::app::small_screen::is_narrow;
 use crate::app::theme::Palette;
 use crate::app::{panels, shortcuts, texture};
 use crate::editor::task::StartError;
@@ -70,11 +71,14 @@ impl Window {
     fn with_panels(&mut self, ui: &mut Ui, actions: &mut Vec<Action>) {
         let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(10, 4));
         Panel::top("menu").frame(bar).show(ui, |ui| actions.extend(self.menu(ui)));
-        let status = Panel::bottom("status").frame(bar).exact_size(28.0);
-        let status = status.show(ui, |ui| ui.available_rect_before_wrap()).inner;
+        // On a narrow screen, it holds the button that shows the column.
+        let status = (!self.panels_hidden || is_narrow(ui.ctx())).then(|| {
+            let status = Panel::bottom("status").frame(bar).exact_size(28.0);
+            status.show(ui, |ui| ui.available_rect_before_wrap()).inner
+        });
         actions.extend(self.tools(ui));
         let column = self.column_place(ui);
-        if self.alternatives.shown {
+        if self.alternatives.shown && !self.panels_hidden {
             let strip = Panel::bottom("alternatives").frame(bar).resizable(false).exact_size(panels::HEIGHT);
             strip.show(ui, |ui| {
                 actions.extend(panels::alternatives(ui, &mut self.alternatives, &self.growth));
@@ -118,7 +122,7 @@ impl Window {
     }
 
     /// Shows the column on the right and the status line at their places, after sketch and texture.
-    fn beside(&mut self, ui: &mut Ui, column: Option<Rect>, status: Rect) -> Option<Action> {
+    fn beside(&mut self, ui: &mut Ui, column: Option<Rect>, status: Option<Rect>) -> Option<Action> {
         if let Some(place) = column {
             let changes = self.column(ui, place);
             if !changes.is_empty() {
@@ -127,10 +131,11 @@ impl Window {
             }
             changes.into_iter().for_each(|action| self.perform(ui, action));
         }
-        let place = UiBuilder::new().max_rect(status).id_salt("status");
+        let place = UiBuilder::new().max_rect(status?).id_salt("status");
         let shown = ui.scope_builder(place, |ui| {
-            let unfolded = is_small(ui.ctx()).then_some(self.unfolded);
-            panels::status(ui, &self.canvas, self.ruler(), self.exporting.as_ref(), unfolded)
+            let unfolded = is_narrow(ui.ctx()).then_some(self.unfolded);
+            let [closed, _] = self.session.closed_strokes(self.session.active_layer);
+            panels::status(ui, &self.canvas, closed, self.ruler(), self.exporting.as_ref(), unfolded)
         });
         shown.inner
     }
@@ -159,14 +164,22 @@ impl Window {
             && !self.menu_open
             && (canvas || focused.is_some_and(|id| self.is_button(ui, id)));
         let mut actions = shortcuts::asked(ui.ctx(), keys, canvas);
-        let cancelled = actions.contains(&Action::Escape)
-            && (self.canvas.cancel(&mut self.session) || self.cancel_colour());
-        if cancelled {
+        actions.extend(self.panels_key(ui).then_some(Action::TogglePanels));
+        self.end_gesture(ui, &mut actions);
+        actions
+    }
+
+    /// Cancels what is being drawn or dragged where a key asks for that: Escape, or undo, which takes back no earlier step
+    /// then. Handled before the canvas notices that the drag has stopped.
+    fn end_gesture(&mut self, ui: &Ui, actions: &mut Vec<Action>) {
+        let undoes = |action: &Action| matches!(action, Action::Undo | Action::Redo);
+        let is_changing = self.canvas.is_changing() || self.colour.is_dragging();
+        let asked = |action: &Action| *action == Action::Escape || is_changing && *action == Action::Undo;
+        if actions.iter().any(asked) && (self.canvas.cancel(&mut self.session) || self.cancel_colour()) {
             ui.ctx().stop_dragging();
-            // Handled before the canvas notices that the drag has stopped.
             actions.retain(|action| *action != Action::Escape);
         }
-        actions
+        actions.retain(|action| !is_changing || !undoes(action));
     }
 
     /// Whether a focused widget is a button: it handles Space, Enter and the arrow keys, but no letters.
@@ -189,13 +202,15 @@ impl Window {
         let menus = panels::MenuState {
             session: &self.session,
             settings: &self.settings,
+            sketches: &self.recent_sketches,
             growth: &self.growth,
             overlays: self.canvas.overlays,
             recovered: self.recovery.undecided(),
             over: self.over,
             tiled: self.texture.tiled,
             alternatives: self.alternatives.shown,
-            columns: [self.settings.layout.tools, self.shows_column(ui.ctx())],
+            columns: [self.shows_tools(ui.ctx()), self.shows_column(ui.ctx())],
+            hidden: self.panels_hidden,
         };
         let keys = !self.is_asking();
         panels::menu(ui, &menus, &mut self.menu_keys, keys)
@@ -244,6 +259,7 @@ impl Window {
         let before = [self.canvas.view, self.texture.view];
         self.canvas.units = self.settings.units;
         self.canvas.pens = self.settings.pens;
+        (self.canvas.wheel, self.texture.wheel) = (self.settings.wheel, self.settings.wheel);
         if self.over {
             self.one_over_the_other(ui, sketch);
         } else {
@@ -277,9 +293,9 @@ impl Window {
         let size = self.session.document().size;
         let texture = self.texture.ui(ui, right, size, &self.growth, &self.canvas.badges);
         let actions = panels::texture_menu(&texture, &self.growth);
-        self.signs(ui, left, self.canvas.view);
+        self.signs(ui, left, left, (self.canvas.view, Signs::Corners));
         if !self.texture.tiled {
-            self.signs(ui, right, self.texture.view);
+            self.signs(ui, right, right, (self.texture.view, Signs::Beside));
         }
         let line = ui.visuals().widgets.noninteractive.bg_stroke;
         ui.painter().line_segment(places.line(), line);
@@ -299,17 +315,17 @@ impl Window {
         self.texture.view = self.canvas.view;
         self.texture.paint(ui, &painter, body, self.session.document().size);
         self.canvas.paint_over(ui, body, seen, &self.session);
-        self.signs(ui, body, self.canvas.view);
+        self.signs(ui, body, body.with_max_x(x), (self.canvas.view, Signs::Corners));
         texture::divider(ui, body, &mut self.curtain);
         texture::paint_divider(ui, body, self.curtain);
     }
 
-    /// The results of the regions, as signs in their corners.
-    fn signs(&self, ui: &Ui, room: Rect, view: View) {
-        let (painter, palette) = (ui.painter_at(room), Palette::current(ui.visuals()));
+    /// The results of the regions, as signs, in the part `seen` of the `room` of the canvas.
+    fn signs(&self, ui: &Ui, room: Rect, seen: Rect, (view, signs): (View, Signs)) {
+        let (painter, palette) = (ui.painter_at(seen), Palette::current(ui.visuals()));
         // A missed region gets its sign on every tab.
         let all = self.tab == Tab::Result && self.result_panel.signs;
-        panels::paint_signs(&painter, room, view, all, (&self.session, &self.results), palette);
+        panels::paint_signs(&painter, room, view, (signs, all), (&self.session, &self.results), palette);
     }
 
     /// Where the views are linked, moves the other view as well.

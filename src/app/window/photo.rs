@@ -55,7 +55,7 @@ impl Window {
             return;
         };
         self.begin(Session::open_unsaved(imported.document.clone(), Document::default(), None));
-        let loading = self.canvas.reference.take_picture(picture.clone(), &photo.name(), &self.tasks);
+        let loading = self.canvas.reference.take_picture(picture.clone(), &photo.name(), true, &self.tasks);
         self.report(loading.err());
         self.notices.done(format!("{}: {}", photo.name(), imported.summary));
     }

@@ -29,6 +29,7 @@ impl Window {
         layout.analysis = self.canvas.overlays.analysis;
         layout.wanted = self.canvas.overlays.wanted;
         layout.snap = self.canvas.snap;
+        let scale = ui.ctx().zoom_factor();
         ui.input(|input| {
             let viewport = input.viewport();
             if viewport.minimized == Some(true) || viewport.fullscreen == Some(true) {
@@ -39,11 +40,12 @@ impl Window {
                 // The size from before the window was maximised is kept.
                 return;
             }
+            // A window opens with a size in points of the system, whatever the scale of the interface is.
             if let Some(inner) = viewport.inner_rect {
-                layout.size = Some(inner.size().into());
+                layout.size = Some((inner.size() * scale).into());
             }
             if let Some(outer) = viewport.outer_rect {
-                layout.position = Some(outer.min.into());
+                layout.position = Some((outer.min.to_vec2() * scale).into());
             }
         });
     }

@@ -24,6 +24,7 @@ use crate::app::settings::Settings;
 use crate::app::texture::TextureView;
 use crate::app::theme;
 use crate::app::trace::Trace;
+use crate::editor::recent_sketches::RecentSketches;
 use crate::editor::recovery::Recovery;
 use crate::editor::session::Session;
 use crate::editor::task::{Spawn, Tasks};
@@ -54,6 +55,7 @@ impl Window {
     pub fn new(ctx: &Context, start: Start) -> Self {
         theme::apply(ctx);
         ctx.set_theme(start.settings.theme);
+        ctx.set_zoom_factor(start.settings.scale);
         // Ctrl with + or − zooms the canvas, not the controls.
         ctx.options_mut(|options| {
             options.zoom_with_keyboard = false;
@@ -73,6 +75,7 @@ impl Window {
             files: Files::new(start.native_dialogs),
             clipboard: Clipboard::default(),
             gallery: Gallery::default(),
+            recent_sketches: RecentSketches::default(),
             exporting: None,
             page: None,
             presentation: start.presentation,
@@ -87,13 +90,14 @@ impl Window {
             colour: ColourPanel::default(),
             result_panel: ResultPanel::default(),
             unfolded: false,
+            panels_hidden: false,
             over: false,
             curtain: 0.5,
             linked: true,
             grown: None,
             menu_open: false,
             menu_keys: MenuKeys::default(),
-            by_keys: false,
+            by_keys: true,
             context: ContextMenu::default(),
             tool_before: None,
             title: String::new(),
@@ -107,7 +111,7 @@ impl Window {
         let searching = window.recovery.search();
         window.report(searching.err());
         if let Some(file) = start.file {
-            window.open(&file);
+            window.open_any(file);
         }
         if let Some(link) = start.link {
             window.open_link(&link);

@@ -43,6 +43,13 @@ impl Metric {
     pub fn square(&self, [x, y]: [f64; 2]) -> f64 {
         self.form[0] * x * x + 2.0 * self.form[1] * x * y + self.form[2] * y * y
     }
+
+    /// The gradient of [`Self::square`] at `displacement`, px.
+    #[must_use]
+    pub fn slope(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let [xx, xy, yy] = self.form;
+        [2.0 * (xx * x + xy * y), 2.0 * (xy * x + yy * y)]
+    }
 }
 
 #[cfg(test)]
@@ -56,6 +63,8 @@ mod tests {
         assert!((metric.square([12.0 * c, 12.0 * s]) - 1.0).abs() < 1e-12);
         assert!((metric.square([-3.0 * s, 3.0 * c]) - 1.0).abs() < 1e-12);
         let round = Metric::ellipse(6.0, 1.0, 77.0);
+        let [x, y] = metric.slope([12.0 * c, 12.0 * s]);
+        assert!((x * c + y * s - 2.0 / 12.0).abs() < 1e-12, "the square rises by 2 d ÷ 12² a px");
         assert!((round.square([3.0, 4.0]) - Metric::circle(6.0).square([5.0, 0.0])).abs() < 1e-12);
     }
 }

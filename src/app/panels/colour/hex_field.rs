@@ -1,16 +1,17 @@
-//! The field for a colour in hexadecimal digits.
+//! The field for a colour in hexadecimal digits or by its name in CSS.
 
 use egui::{TextEdit, Ui};
+use svgtypes::Color;
 
 use super::ColourPanel;
 use crate::app::theme::Palette;
 use crate::document::Stop;
 
-/// The field for hexadecimal digits.
+/// The field for hexadecimal digits or a name.
 pub(super) fn hex_field(ui: &mut Ui, panel: &mut ColourPanel, stop: &mut Stop, name: &str) {
     let mut text = panel.hex.clone().unwrap_or_else(|| stop.hex());
     let known = read(&text);
-    let mut edit = TextEdit::singleline(&mut text).desired_width(84.0).char_limit(16);
+    let mut edit = TextEdit::singleline(&mut text).desired_width(84.0).char_limit(40);
     if known.is_none() {
         edit = edit.text_color(Palette::current(ui.visuals()).wrong);
     }
@@ -24,7 +25,8 @@ pub(super) fn hex_field(ui: &mut Ui, panel: &mut ColourPanel, stop: &mut Stop, n
     {
         stop.set_rgba(typed);
     }
-    let help = "Red, green, blue: #rrggbb or #rgb in hexadecimal digits; with opacity #rrggbbaa";
+    let help = "Red, green, blue: #rrggbb or #rgb in hexadecimal digits, with opacity #rrggbbaa; or as in CSS: tan, \
+                rgb(210, 180, 140)";
     response.on_hover_text(if known.is_none() {
         format!("This is not a colour. {help}")
     } else {
@@ -32,9 +34,16 @@ pub(super) fn hex_field(ui: &mut Ui, panel: &mut ColourPanel, stop: &mut Stop, n
     });
 }
 
-/// Parses `#rrggbb`, `#rgb` or `#rrggbbaa`, with or without the `#`.
+/// Parses `#rrggbb`, `#rgb` or `#rrggbbaa`, with or without the `#`, or a colour as CSS writes it.
 fn read(text: &str) -> Option<[u8; 4]> {
-    let text = text.trim();
+    let text = text.trim().to_lowercase();
+    hexadecimal(&text).or_else(|| {
+        let Color { red, green, blue, alpha } = text.parse().ok()?;
+        Some([red, green, blue, alpha])
+    })
+}
+
+fn hexadecimal(text: &str) -> Option<[u8; 4]> {
     let digits = text.strip_prefix('#').unwrap_or(text).chars();
     let digits: Vec<u8> = digits.map(|c| c.to_digit(16).map(|digit| digit as u8)).collect::<Option<_>>()?;
     match digits[..] {
@@ -56,10 +65,13 @@ mod tests {
             (" F4E3C1 ", [244, 227, 193, 255]),
             ("#fc0", [255, 204, 0, 255]),
             ("#fc003380", [252, 0, 51, 128]),
+            ("tan", [210, 180, 140, 255]),
+            (" RebeccaPurple", [102, 51, 153, 255]),
+            ("rgb(1, 2, 3)", [1, 2, 3, 255]),
         ] {
             assert_eq!(read(text), Some(colour), "{text}");
         }
-        for text in ["", "#", "red", "#12345", "#1234567", "##123456"] {
+        for text in ["", "#", "reddish", "#12345", "#1234567", "##123456"] {
             assert_eq!(read(text), None, "{text}");
         }
     }

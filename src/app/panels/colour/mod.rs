@@ -65,6 +65,12 @@ impl ColourPanel {
         self.drag.take().is_some()
     }
 
+    /// Whether a stop or a transition is being dragged.
+    #[must_use]
+    pub fn is_dragging(&self) -> bool {
+        self.drag.is_some()
+    }
+
     /// Limits the selection to existing stops and transitions.
     fn retain_existing(&mut self, colours: &Colours) {
         let last = colours.stops.len() - 1;

@@ -160,13 +160,17 @@ fn label(session: &Session, layer: usize) -> String {
 }
 
 fn counted(session: &Session, layer: usize) -> String {
+    let [one, many] = session.closed_strokes(layer);
     let kinds: Vec<Kind> = session.marks_of(layer).iter().map(Kind::from).collect();
     let counted =
         [Kind::Ellipse, Kind::Line].map(|kind| (kind, kinds.iter().filter(|of| **of == kind).count()));
-    let named = counted.into_iter().filter(|(_, count)| *count > 0).map(|(kind, count)| {
-        let many = if count == 1 { "" } else { "s" };
-        format!("{count} {}{many}", kind.name())
-    });
+    let named =
+        counted.into_iter().filter(|(_, count)| *count > 0).map(|(kind, count)| match (kind, count) {
+            (Kind::Ellipse, 1) => format!("1 {}", one.split_once(' ').map_or(one, |(_, name)| name)),
+            (Kind::Ellipse, _) => format!("{count} {many}"),
+            (_, 1) => format!("1 {}", kind.name()),
+            _ => format!("{count} {}s", kind.name()),
+        });
     let named: Vec<String> = named.collect();
     if named.is_empty() { unmarked(&session.document().layers[layer]).to_owned() } else { named.join(", ") }
 }

@@ -53,12 +53,12 @@ pub fn mark_result(ui: &mut Ui, ruler: Ruler, title: &str, drawn: &DrawnMark) {
 
 /// How well a mark grew: not at all, or as its worst attribute.
 fn verdict(drawn: &DrawnMark) -> Verdict {
-    if !drawn.there {
+    if !drawn.there || drawn.reason.is_some() {
         return Verdict::Missed;
     }
     let differences = differences(drawn);
     let each = differences.iter().filter_map(|one| Verdict::for_error(one.attribute, one.off));
-    each.max().unwrap_or(Verdict::Met)
+    each.max().unwrap_or(Verdict::Unknown)
 }
 
 struct Difference {
@@ -131,6 +131,10 @@ mod tests {
             assert_eq!(verdict(&drawn(asked, Some(got))), expected, "{got:?}");
         }
         assert_eq!(verdict(&drawn(asked, None)), Verdict::Missed);
+        let half = DrawnMark { reason: Some("it is half grown"), ..drawn(asked, Some(asked)) };
+        assert_eq!(verdict(&half), Verdict::Missed);
+        let unmeasured = DrawnMark { there: true, ..drawn(asked, None) };
+        assert_eq!(verdict(&unmeasured), Verdict::Unknown, "a tick needs a measurement");
         // The direction of a round spot means nothing.
         assert_eq!(verdict(&drawn(spot(400.0, 0.95, 0.0), Some(spot(400.0, 0.95, 90.0)))), Verdict::Met);
     }

@@ -10,7 +10,7 @@ mod table;
 mod threads;
 
 pub use mark::mark_result;
-pub use signs::paint_signs;
+pub use signs::{Signs, paint_signs};
 
 use egui::{Label, RichText, Ui};
 

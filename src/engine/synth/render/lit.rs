@@ -49,6 +49,7 @@ pub fn from_above(pictures: &Pictures) -> Vec<u8> {
 #[must_use]
 pub fn render(maps: &Maps, body: Body, pose: Pose, side: usize, samples: usize) -> Vec<u8> {
     let turn = Turn::new(pose);
+    let reach = REACH / pose.zoom;
     let mut pixels = vec![0; 4 * side * side];
     let samples = samples.max(1);
     pixels.par_chunks_mut((4 * side).max(1)).enumerate().for_each(|(row, line)| {
@@ -58,7 +59,7 @@ pub fn render(maps: &Maps, body: Body, pose: Pose, side: usize, samples: usize) 
                 let within = |index: usize| (index as f32 + 0.5) / samples as f32;
                 let x = (column as f32 + within(sample % samples)) / side as f32 * 2.0 - 1.0;
                 let y = 1.0 - (row as f32 + within(sample / samples)) / side as f32 * 2.0;
-                let Some(hit) = cast(maps, body, &turn, [REACH * x, REACH * y]) else { continue };
+                let Some(hit) = cast(maps, body, &turn, [reach * x, reach * y]) else { continue };
                 let texel = maps.at(hit.uv);
                 let light = shade(&texel, &hit.frame);
                 for (sum, part) in sum.iter_mut().zip(light) {
@@ -102,7 +103,7 @@ mod tests {
         [0, 1, 2, 3].map(|channel| i32::from(pixels[at + channel]))
     }
 
-    const AHEAD: Pose = Pose { yaw: 0.0, pitch: 0.0 };
+    const AHEAD: Pose = Pose { yaw: 0.0, pitch: 0.0, zoom: 1.0 };
 
     #[test]
     fn a_sphere_is_round_lit_from_the_upper_left_and_dark_on_the_other_side() {
@@ -124,10 +125,21 @@ mod tests {
         let seen = render(&maps, Body::Plane, AHEAD, SIDE, 1);
         assert!(px(&seen, 20, 32)[0] > 2 * px(&seen, 20, 32)[1]);
         // Turned by 180°, what was on the left is on the right.
-        let behind = render(&maps, Body::Plane, Pose { yaw: 180.0, pitch: 0.0 }, SIDE, 1);
+        let behind = render(&maps, Body::Plane, Pose { yaw: 180.0, ..AHEAD }, SIDE, 1);
         assert!(px(&behind, 44, 32)[0] > 2 * px(&behind, 44, 32)[1]);
-        let edge_on = render(&maps, Body::Plane, Pose { yaw: 90.0, pitch: 0.0 }, SIDE, 1);
+        let edge_on = render(&maps, Body::Plane, Pose { yaw: 90.0, ..AHEAD }, SIDE, 1);
         assert!(edge_on.chunks(4).filter(|px| px[3] > 0).count() < 3 * SIDE, "a plane seen edge-on is thin");
+    }
+
+    #[test]
+    fn a_zoomed_body_is_larger_up_to_a_limit_and_never_smaller_than_the_view() {
+        let width = |pose: Pose| {
+            let seen = render(&flat(255, false), Body::Plane, pose, SIDE, 1);
+            (0..SIDE).filter(|x| px(&seen, *x, 32)[3] > 0).count()
+        };
+        assert!(width(AHEAD) < 56 && width(AHEAD.zoomed(1.5)) == SIDE, "{}", width(AHEAD));
+        assert_eq!(AHEAD.zoomed(0.5), AHEAD);
+        assert_eq!(AHEAD.zoomed(100.0).zoom, 8.0);
     }
 
     #[test]
@@ -181,7 +193,7 @@ mod tests {
 
     #[test]
     fn turning_there_and_back_is_the_identity_and_a_drag_stays_within_limits() {
-        let turn = Turn::new(Pose { yaw: 33.0, pitch: -21.0 });
+        let turn = Turn::new(Pose { yaw: 33.0, pitch: -21.0, zoom: 1.0 });
         let back = turn.back(turn.out([0.3, -0.5, 0.8]));
         assert!(back.iter().zip([0.3, -0.5, 0.8]).all(|(a, b)| (a - b).abs() < 1e-6), "{back:?}");
         let far = AHEAD.turned([1000.0, -1000.0]);

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::owned::TAKEN;
+use super::owned::{Owned, TAKEN};
 use crate::grid::Domain;
 use crate::grid::distance::{length, nearest};
 use crate::points::extent::Extent;
@@ -30,34 +30,52 @@ pub(super) fn depths_of_kept(plan: &AreaPlan, gap: f64) -> Vec<(f32, u32)> {
     (0..plan.grid.cells()).into_par_iter().map(deepest).collect()
 }
 
-/// The reaction at each cell: 0 within half a `gap` of the border between two owners, 1 elsewhere.
-pub(super) fn lines_between(owned: &[u32], depths: &[(f32, u32)], plan: &AreaPlan, gap: f64) -> Vec<f32> {
+/// The reaction at each cell: 0 within half a `gap` of the border between two owners, 1 elsewhere. The border between two laid
+/// points is known exactly, so that lines have no steps of the grid.
+pub(super) fn lines_between(owned: &Owned, depths: &[(f32, u32)], plan: &AreaPlan, gap: f64) -> Vec<f32> {
     let ([nx, ny], grid) = (plan.grid.size, &plan.grid);
     let owner = |cell: usize| match depths.get(cell) {
-        Some((depth, mark)) if f64::from(*depth) > -0.5 * gap && owned[cell] != TAKEN => TAKEN - 1 - mark,
-        _ => owned[cell],
+        Some((depth, mark)) if f64::from(*depth) > -0.5 * gap && owned.owners[cell] != TAKEN => {
+            TAKEN - 1 - mark
+        }
+        _ => owned.owners[cell],
     };
     let owners: Vec<u32> = (0..grid.cells()).map(owner).collect();
     let at = |x: isize, y: isize| owners[grid.edges.index(y, ny) * nx + grid.edges.index(x, nx)];
-    let is_border = |cell: usize| {
+    let beside = |cell: usize| {
         let [x, y] = grid.position(cell).map(|k| k as isize);
-        let own = owners[cell];
-        [(1, 0), (-1, 0), (0, 1), (0, -1)].iter().any(|(dx, dy)| at(x + dx, y + dy) != own)
+        [(1, 0), (-1, 0), (0, 1), (0, -1)].map(|(dx, dy)| at(x + dx, y + dy))
     };
+    let is_border = |cell: usize| beside(cell).iter().any(|other| *other != owners[cell]);
     let border: Vec<bool> = (0..grid.cells()).map(is_border).collect();
     let px = plan.px_a_cell();
     let Some(ways) = nearest(&border, grid) else {
         return owners.iter().map(|owner| f32::from(u8::from(*owner != TAKEN))).collect();
     };
-    let reaction = |(way, owner): (&[i32; 2], &u32)| {
-        if *owner == TAKEN {
+    // The distance of a cell from the border beside its nearest marked cell, `way` from it.
+    let exact = |cell: usize, way: [i32; 2]| {
+        let [x, y] = grid.position(cell).map(|k| k as isize);
+        let [x, y] = [x + way[0] as isize, y + way[1] as isize];
+        let marked = grid.edges.index(y, ny) * nx + grid.edges.index(x, nx);
+        let [back, up] = grid.to_px(way.map(|cells| -f64::from(cells)));
+        let own = owners[cell];
+        let others = beside(marked).into_iter().filter(|other| *other != own);
+        others.fold(Some(f64::INFINITY), |least, other| {
+            let (depth, [right, down]) = owned.from_border(grid.center_px(marked), own, other)?;
+            Some(least?.min(depth + back * right + up * down))
+        })
+    };
+    let reaction = |(cell, way): (usize, &[i32; 2])| {
+        if owners[cell] == TAKEN {
             return 0.0;
         }
-        // The border runs between two cells that are both marked.
-        let away = length(*way, grid) + 0.5 * px;
-        ((away - 0.5 * gap) / px + 0.5).clamp(0.0, 1.0) as f32
+        // Without an exact one, the border runs between two cells that are both marked.
+        let rough = length(*way, grid) + 0.5 * px;
+        let is_near = rough < gap + 2.0 * px;
+        let away = if is_near { exact(cell, *way).filter(|away| away.is_finite()) } else { None };
+        ((away.unwrap_or(rough) - 0.5 * gap) / px + 0.5).clamp(0.0, 1.0) as f32
     };
-    ways.iter().zip(&owners).map(reaction).collect()
+    ways.par_iter().enumerate().map(reaction).collect()
 }
 
 /// Increase of the threshold at each cell, in K₀, which keeps drawn marks as drawn, and cells away from the layers beneath; empty

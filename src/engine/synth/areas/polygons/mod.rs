@@ -85,7 +85,7 @@ impl PolygonGrowth {
         setting: PolygonSetting,
     ) -> Result<Self, LayerError> {
         let owned = during(Section::Start, || owned(&plan, &form, setting.seed));
-        if !owned.iter().any(|owner| *owner != TAKEN) {
+        if owned.owners.iter().all(|owner| *owner == TAKEN) {
             return Err(LayerError::NoRoom);
         }
         let depths = during(Section::Start, || depths_of_kept(&plan, form.gap));
@@ -102,7 +102,18 @@ impl PolygonGrowth {
         let levels = vec![level_of_straight_lines(); plan.map.layout().len()];
         let last = growth.steps_in(TIME);
         let grown = None;
-        Ok(Self { setting, plan, form, owned, depths, growth, last, levels, grown, done: false })
+        Ok(Self {
+            setting,
+            plan,
+            form,
+            owned: owned.owners,
+            depths,
+            growth,
+            last,
+            levels,
+            grown,
+            done: false,
+        })
     }
 
     /// Does a part of the work.

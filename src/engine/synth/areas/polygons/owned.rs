@@ -20,8 +20,34 @@ const COARSE: f64 = 14.0;
 /// The owner of places that marks of the layers beneath have taken.
 pub(super) const TAKEN: u32 = u32::MAX;
 
-/// By cell of the grid, the number of the laid point that it belongs to, or [`TAKEN`]. Drawn marks get their outlines later.
-pub(super) fn owned(plan: &AreaPlan, form: &PolygonForm, seed: u64) -> Vec<u32> {
+/// The laid points, and the places that they own.
+pub(super) struct Owned {
+    /// By cell of the grid, the number of the laid point that it belongs to, or [`TAKEN`]. Drawn marks get their outlines later.
+    pub(super) owners: Vec<u32>,
+    /// The points with their metrics.
+    points: Vec<([f64; 2], Metric)>,
+    extent: Extent,
+}
+
+impl Owned {
+    /// The distance of a place, px, from the border between the places of two points, on the side of the first one, and the
+    /// direction away from the border. The border is where both are equally near: a straight line if their metrics are equal.
+    /// `None` if one of the two is no laid point.
+    pub(super) fn from_border(&self, at: [f64; 2], own: u32, other: u32) -> Option<(f64, [f64; 2])> {
+        let square = |point: u32| {
+            let ([x, y], metric) = self.points.get(point as usize)?;
+            let way = self.extent.shortest([at[0] - x, at[1] - y]);
+            Some((metric.square(way), metric.slope(way)))
+        };
+        let ((near, slope), (far, steeper)) = (square(own)?, square(other)?);
+        let slope = [0, 1].map(|axis| steeper[axis] - slope[axis]);
+        let length = libm::hypot(slope[0], slope[1]);
+        (length > 0.0).then(|| ((far - near) / length, slope.map(|part| part / length)))
+    }
+}
+
+/// Lays the points of the cells of `plan`, and gives each the places nearest to it.
+pub(super) fn owned(plan: &AreaPlan, form: &PolygonForm, seed: u64) -> Owned {
     let extent = Extent::from(plan.canvas());
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
     let pitch = |at: [f64; 2]| {
@@ -82,7 +108,8 @@ pub(super) fn owned(plan: &AreaPlan, form: &PolygonForm, seed: u64) -> Vec<u32> 
             *owner = TAKEN;
         }
     }
-    owned
+    let points = clear.into_iter().map(|at| (at, metric(at))).collect();
+    Owned { owners: owned, points, extent }
 }
 
 /// One step of Lloyd's relaxation: points move to the centres of their Voronoi cells, which makes these rounder and more alike. The

@@ -24,18 +24,20 @@ impl Body {
         [(Self::Plane, "Plane"), (Self::Sphere, "Sphere"), (Self::Cylinder, "Cylinder")];
 }
 
-/// The direction from which a body is seen.
+/// The direction from which a body is seen, and how large it is shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
     /// Degrees about the vertical, to the right.
     pub yaw: f32,
     /// Degrees about the horizontal, −90..90; positive: seen from above.
     pub pitch: f32,
+    /// Magnification: 1 shows the whole body.
+    pub zoom: f32,
 }
 
 impl Default for Pose {
     fn default() -> Self {
-        Self { yaw: -25.0, pitch: 20.0 }
+        Self { yaw: -25.0, pitch: 20.0, zoom: 1.0 }
     }
 }
 
@@ -46,7 +48,14 @@ impl Pose {
         /// Degrees a point.
         const SPEED: f32 = 0.5;
         let yaw = (self.yaw + SPEED * x + 180.0).rem_euclid(360.0) - 180.0;
-        Self { yaw, pitch: (self.pitch + SPEED * y).clamp(-85.0, 85.0) }
+        Self { yaw, pitch: (self.pitch + SPEED * y).clamp(-85.0, 85.0), ..self }
+    }
+
+    /// This pose, magnified by a further `factor`, at most eight times in all; never smaller than the whole body.
+    #[must_use]
+    pub fn zoomed(self, factor: f32) -> Self {
+        const MOST: f32 = 8.0;
+        Self { zoom: (self.zoom * factor).clamp(1.0, MOST), ..self }
     }
 }
 
