@@ -32,8 +32,8 @@ const WIDEST: f32 = 1.4;
 const BEND: f32 = 0.16;
 /// Brightness of the skin beneath the hairs.
 const SKIN: f32 = 0.45;
-/// Rows of the picture that one thread paints at a time; the result does not depend on it.
-const ROWS: usize = 96;
+/// Rows of the document that one thread paints at a time; the result does not depend on it.
+const ROWS: f32 = 64.0;
 
 /// Hairs of a mean length and width, px of the document.
 #[derive(Clone, Debug)]
@@ -234,9 +234,8 @@ pub fn paint(source: &Source, length: f32) -> Vec<Surfel> {
     let fur = Fur::new(source, length);
     let mut picture = skin(source);
     let width = source.size[0];
-    picture.par_chunks_mut(ROWS * width).enumerate().for_each(|(strip, rows)| {
-        fur.paint_rows(strip * ROWS, rows);
-    });
+    let rows = ((ROWS * source.scale()[1]) as usize).max(1);
+    picture.par_chunks_mut(rows * width).enumerate().for_each(|(strip, px)| fur.paint_rows(strip * rows, px));
     picture
 }
 
