@@ -244,7 +244,7 @@ const OTHERS: &[(&str, &str, &str)] = &[
     ("Draw", "Circle; steps of 15°", "Shift while dragging"),
     ("Draw", "Copy a mark", "Alt or Ctrl + drag"),
     ("Help", "Menus", "F10, Alt + letter, arrows"),
-    ("Help", "Next and previous control", "Shift + Tab, Tab"),
+    ("Help", "Previous, next control", "Shift + Tab, Tab"),
 ];
 
 fn row(ui: &mut Ui, text: &str, keys: &str) {

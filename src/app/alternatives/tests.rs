@@ -116,11 +116,13 @@ fn another_document_replaces_the_sketch_as_a_whole() {
 
 #[test]
 fn grown_textures_that_take_too_much_memory_are_dropped_starred_ones_first() {
-    let texture = texture(&document(vec![spot([60.0, 60.0])]));
+    let drawn = document(vec![spot([60.0, 60.0])]);
     // Three of these take more than the memory of all.
-    let large = Arc::new(Grown { size: [800, 800], ..Grown::clone(&texture.grown) });
+    let mut large = Arc::into_inner(texture(&drawn).grown).unwrap();
+    large.size = [800, 800];
+    let large = Arc::new(large);
     let mut all = Alternatives::new(Arc::default());
-    all.compare(&texture, 0);
+    all.compare(&texture(&drawn), 0);
     all.all.truncate(3);
     all.all[2].kept = true;
     all.taken = Some(all.all[1].id);

@@ -51,13 +51,13 @@ fn entry(ui: &mut Ui, path: &Path, sketches: &RecentSketches) -> Response {
     let room = Rect::from_min_max(pos2(left, rect.top()), pos2(rect.right() - 4.0, rect.bottom()));
     let weak = ui.visuals().weak_text_color();
     let colour = if is_gone { weak } else { visuals.text_color() };
-    line(ui, room, rect.top() + 13.0, &name, TextStyle::Button, colour);
-    line(ui, room, rect.bottom() - 12.0, &below, TextStyle::Small, weak);
+    line(ui, room, rect.top() + 13.0, &name, &TextStyle::Button, colour);
+    line(ui, room, rect.bottom() - 12.0, &below, &TextStyle::Small, weak);
     response
 }
 
 /// A line of text from the left end of `room`. Where it is too long, its beginning is left out: the end of a folder tells more.
-fn line(ui: &Ui, room: Rect, y: f32, text: &str, style: TextStyle, colour: Color32) {
+fn line(ui: &Ui, room: Rect, y: f32, text: &str, style: &TextStyle, colour: Color32) {
     let font = style.resolve(ui.style());
     let width = |text: &str| ui.painter().layout_no_wrap(text.to_owned(), font.clone(), colour).size().x;
     let mut shown = text.to_owned();

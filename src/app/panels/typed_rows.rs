@@ -65,6 +65,21 @@ pub fn typed_rows(
         }
         ui.end_row();
     }
+    if let Some(marks) = period_row(ui, ruler, marks, duty, of) {
+        changed = Some(marks);
+    }
+    changed.filter(|marks| !marks.is_empty())
+}
+
+/// The row of the period of stripes: it follows from a given `duty`, else from the distances of the lines, which can be typed.
+fn period_row(
+    ui: &mut Ui,
+    ruler: Ruler,
+    marks: &[(Place, Mark)],
+    duty: Option<f64>,
+    of: &str,
+) -> Option<Vec<(Place, Mark)>> {
+    let mut changed = None;
     if let (Some(width), Some(duty)) = (typed::width(marks), duty) {
         ui.label("Period")
             .on_hover_text("Width ÷ the stripe width (share of the period) that is set for this layer");
@@ -80,7 +95,7 @@ pub fn typed_rows(
         }
         ui.end_row();
     }
-    changed.filter(|marks| !marks.is_empty())
+    changed
 }
 
 /// A length, px; the new one where it was changed.

@@ -53,14 +53,7 @@ impl Window {
     /// A window with a document from a file, or an empty one.
     #[must_use]
     pub fn new(ctx: &Context, start: Start) -> Self {
-        theme::apply(ctx);
-        ctx.set_theme(start.settings.theme);
-        ctx.set_zoom_factor(start.settings.scale);
-        // Ctrl with + or − zooms the canvas, not the controls.
-        ctx.options_mut(|options| {
-            options.zoom_with_keyboard = false;
-            options.fallback_theme = Theme::Light;
-        });
+        set_up(ctx, &start.settings);
         let tasks = Tasks::new(platform::waker(ctx)).with_spawn(start.spawn);
         let results = Results::default();
         let mut window = Self {
@@ -118,4 +111,16 @@ impl Window {
         }
         window
     }
+}
+
+/// Sets the look of the window.
+fn set_up(ctx: &Context, settings: &Settings) {
+    theme::apply(ctx);
+    ctx.set_theme(settings.theme);
+    ctx.set_zoom_factor(settings.scale);
+    // Ctrl with + or − zooms the canvas, not the controls.
+    ctx.options_mut(|options| {
+        options.zoom_with_keyboard = false;
+        options.fallback_theme = Theme::Light;
+    });
 }
