@@ -237,7 +237,9 @@ mod tests {
         let (maps, tasks) = (flat(), Tasks::default());
         let room = Rect::from_min_size(pos2(0.0, 0.0), Vec2::splat(64.0));
         let show = move |ui: &mut Ui, view: &mut LitView| view.ui(ui, room, &maps, &tasks);
-        let mut harness = egui_kittest::Harness::builder().build_ui_state(show, LitView::default());
+        // Two clicks are a double click within 0.3 s.
+        let builder = egui_kittest::Harness::builder().with_step_dt(1.0 / 60.0);
+        let mut harness = builder.build_ui_state(show, LitView::default());
         let zoom = |harness: &egui_kittest::Harness<'_, LitView>| harness.state().pose.zoom;
         harness.hover_at(pos2(30.0, 30.0));
         harness.run_steps(2);

@@ -153,17 +153,18 @@ fn check_lists_what_will_grow_on_a_model_and_refuses_what_cannot() {
         "{text}"
     );
     let mut document = ball();
-    document["layers"][0]["system"] = json!("cells");
+    document["layers"][0]["system"] = json!("maze");
     folder.write("a.dapple", &document.to_string());
     folder.refuses(
         "grow a.dapple -o a.png",
         1,
-        &["layers[0].system: found \"cells\" on a model", "turing-spots"],
+        &["layers[0].system: found \"maze\" on a model", "turing-spots"],
     );
     document = ball();
-    document["layers"][0]["options"] = json!({"ragged": 0.2});
+    let noise = json!({"size": 50, "octaves": 1, "range": [0, 0.2]});
+    document["layers"][0]["maps"] = json!({"colour": {"noise": noise}});
     folder.write("a.dapple", &document.to_string());
-    folder.refuses("grow a.dapple -o a.png", 1, &["layers[0].options.ragged: found \"ragged\" on a model"]);
+    folder.refuses("grow a.dapple -o a.png", 1, &["layers[0].maps.colour: found ", "on a model"]);
     document = ball();
     document["model"]["px"] = json!(60_000);
     folder.write("a.dapple", &document.to_string());

@@ -143,7 +143,8 @@ fn hair_follows_an_angle_or_the_strokes_of_a_layer_of_hair() {
     let hair = json!({"system": "hair", "strokes": [{"kind": "line", "from": [40, 10], "to": [40, 80]}]});
     drawn["layers"].as_array_mut().unwrap().push(hair);
     let [usual, angled, drawn] = [with_finish(tile(), "fur"), angled, drawn].map(|document| {
-        let folder = Folder::with(&document);
+        let folder = Folder::new();
+        folder.write("a.dapple", &document.to_string());
         folder.grow("--labels l.png");
         (image::open(folder.path("a.png")).unwrap().into_rgb8().into_raw(), folder.bytes("l.png"))
     });

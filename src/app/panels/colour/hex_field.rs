@@ -36,7 +36,11 @@ pub(super) fn hex_field(ui: &mut Ui, panel: &mut ColourPanel, stop: &mut Stop, n
 
 /// Parses `#rrggbb`, `#rgb` or `#rrggbbaa`, with or without the `#`, or a colour as CSS writes it.
 fn read(text: &str) -> Option<[u8; 4]> {
-    let text = text.trim().to_lowercase();
+    let text = match text.trim().to_lowercase() {
+        // The one name of CSS that SVG does not have.
+        name if name == "rebeccapurple" => "#663399".to_owned(),
+        text => text,
+    };
     hexadecimal(&text).or_else(|| {
         let Color { red, green, blue, alpha } = text.parse().ok()?;
         Some([red, green, blue, alpha])

@@ -59,10 +59,10 @@ pub(super) fn lines_between(owned: &Owned, depths: &[(f32, u32)], plan: &AreaPla
         let marked = grid.edges.index(y, ny) * nx + grid.edges.index(x, nx);
         let [back, up] = grid.to_px(way.map(|cells| -f64::from(cells)));
         let own = owners[cell];
-        let others = beside(marked).into_iter().filter(|other| *other != own);
-        others.fold(Some(f64::INFINITY), |least, other| {
-            let (depth, [right, down]) = owned.from_border(grid.center_px(marked), own, other)?;
-            Some(least?.min(depth + back * right + up * down))
+        let mut others = beside(marked).into_iter().filter(|other| *other != own);
+        others.try_fold(f64::INFINITY, |least, other| {
+            let (depth, [right, down]) = owned.border(grid.center_px(marked), own, other)?;
+            Some(least.min(depth + back * right + up * down))
         })
     };
     let reaction = |(cell, way): (usize, &[i32; 2])| {

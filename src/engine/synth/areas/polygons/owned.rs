@@ -33,7 +33,7 @@ impl Owned {
     /// The distance of a place, px, from the border between the places of two points, on the side of the first one, and the
     /// direction away from the border. The border is where both are equally near: a straight line if their metrics are equal.
     /// `None` if one of the two is no laid point.
-    pub(super) fn from_border(&self, at: [f64; 2], own: u32, other: u32) -> Option<(f64, [f64; 2])> {
+    pub(super) fn border(&self, at: [f64; 2], own: u32, other: u32) -> Option<(f64, [f64; 2])> {
         let square = |point: u32| {
             let ([x, y], metric) = self.points.get(point as usize)?;
             let way = self.extent.shortest([at[0] - x, at[1] - y]);
