@@ -8,7 +8,7 @@ use crate::finish::Finish;
 use serde_json::{Map, Value, json};
 
 /// The system of a layer whose strokes are directions of a finish; nothing is grown from it.
-pub(super) const HAIR: &str = "hair";
+pub(in crate::document) const HAIR: &str = "hair";
 /// The size of a finish.
 const SIZE: Range = Range { low: Finish::SIZES[0], high: Finish::SIZES[1], unit: "px" };
 

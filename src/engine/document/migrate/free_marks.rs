@@ -4,6 +4,7 @@
 
 use serde_json::{Map, Value, json};
 
+use crate::document::finish::HAIR;
 use crate::document::{LayerOptions, Stroke};
 use crate::marks::Mark;
 use crate::sketch::recognise_straight;
@@ -14,7 +15,10 @@ pub(super) fn migrate(mut document: Value) -> Value {
     let regions = root.entry("regions").or_insert_with(|| json!([1, 1]));
     let is_one_region = *regions == json!([1, 1]);
     for layer in root.get_mut("layers").and_then(Value::as_array_mut).into_iter().flatten() {
-        if let Some(layer) = layer.as_object_mut() {
+        // Layers of hair have no options.
+        if let Some(layer) = layer.as_object_mut()
+            && layer.get("system").is_none_or(|system| system != HAIR)
+        {
             migrate_layer(layer, is_one_region);
         }
     }

@@ -3,7 +3,7 @@
 use crate::attributes::{Attributes, Spots, Spread, Stripes};
 use crate::document::{Body, BodyEllipse, BodyMark, Document, DocumentError, Layer, LayerOptions};
 use crate::marks::axial;
-use crate::synth::body::areas::AreaForm;
+use crate::synth::body::area_form::AreaForm;
 use crate::synth::body::choice::Choice;
 use crate::synth::body::refusals;
 use crate::synth::drawn::sketch_targets::region_map;

@@ -8,6 +8,7 @@ use crate::rd::{
 };
 use crate::surface::{Surface, SurfacePoint, distances};
 use crate::synth::body::anchors::{ellipses, place_of};
+use crate::synth::body::areas;
 use crate::synth::body::given_directions::{Piece, pieces};
 use crate::synth::body::laid::lay;
 use crate::synth::body::layer::BodyLayer;
@@ -46,7 +47,10 @@ pub fn begin(
         if centers.is_empty() {
             return Err(LayerError::NoRoom);
         }
-        return Ok(Initial { concentrations: vec![form.grown(plan, &centers, seed)], laid: centers.len() });
+        return Ok(Initial {
+            concentrations: vec![areas::grown(plan, &form, &centers, seed)],
+            laid: centers.len(),
+        });
     }
     let laid = match (document.layers[plan.layer].after, beneath.last()) {
         (After::Inside, Some(outer)) => {

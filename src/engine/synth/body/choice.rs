@@ -4,7 +4,7 @@ use crate::attributes::system::{Description, MarkKind};
 use crate::attributes::{Attributes, Polarity};
 use crate::document::{Layer, SystemChoice};
 use crate::rd::{LinesAlongCurves, System};
-use crate::synth::body::areas::AreaForm;
+use crate::synth::body::area_form::AreaForm;
 use crate::synth::marks::plan::around::curve_kind;
 use crate::synth::marks::plan::offset_curves::CurveKind;
 

@@ -9,6 +9,7 @@
 
 mod anchors;
 mod answer_table;
+mod area_form;
 mod areas;
 mod asked;
 mod begin;

@@ -3,12 +3,15 @@
 use crate::synth::error::{LayerError, TooFine};
 use crate::synth::memory;
 use crate::synth::options::Options;
+use crate::synth::time::TimeLimit;
 
 /// Bytes of a vertex: the surface with its tree, frames and neighbours, the operator in rows and in slices, concentrations. Surfaces
 /// of 36,000 to 126,000 vertices took 1,700 to 2,100.
 const VERTEX: f64 = 2_500.0;
 /// Seconds of one core that a vertex takes: the same surfaces took .11 to .25 ms.
 const SECONDS: f64 = 2.5e-4;
+/// Seconds that any surface may take.
+const LEAST: f64 = 120.0;
 
 /// Vertices of all surfaces of `area` px², one with cells of each of these px.
 #[must_use]
@@ -23,7 +26,7 @@ pub fn seconds(vertices: f64) -> f64 {
 }
 
 /// Checks that a growth on surfaces of `area` px², one a layer with cells of these px, fits into memory and time. A surface may take as long as a
-/// canvas of its area.
+/// canvas of its area, and any one two minutes: cells follow the finest marks, whatever the area.
 ///
 /// # Errors
 /// It does not: the numbers, and what to change.
@@ -33,14 +36,15 @@ pub fn check(area: f64, cells: &[f64], options: &Options) -> Result<(), LayerErr
     if let Some(free) = options.memory.filter(|free| needed > *free) {
         return Err(TooFine::Memory { vertices, needed, free }.into());
     }
-    let (needed, allowed) = (seconds(vertices), options.time.seconds([area.sqrt(); 2]));
+    let canvas = options.time.seconds([area.sqrt(); 2]);
+    let allowed = if options.time == TimeLimit::Usual { canvas.max(LEAST) } else { canvas };
+    let needed = seconds(vertices);
     if needed > allowed { Err(TooFine::Time { vertices, needed, allowed }.into()) } else { Ok(()) }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::synth::time::TimeLimit;
 
     #[test]
     fn a_surface_with_too_many_vertices_is_refused_before_it_is_made() {

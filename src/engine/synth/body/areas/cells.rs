@@ -3,15 +3,13 @@
 
 use rayon::prelude::*;
 
-use crate::attributes::Attributes;
 use crate::grid::Domain;
 use crate::surface::{Surface, SurfacePoint};
+use crate::synth::body::area_form::SOFT;
 use crate::synth::body::plan::BodyPlan;
 
 /// How far a cell is looked at from its point, in distances of the points: the points beside it lie within.
 const REACH: f64 = 1.6;
-/// The length over which the pattern changes at an edge, in widths of the lines: in the middle of a line it is 0.03.
-const SOFT: f64 = 0.15;
 /// The radius of corners, in widths of the lines. Lines of the reaction on canvases have about these.
 const ROUND: f64 = 0.35;
 
@@ -34,13 +32,6 @@ pub fn grown(plan: &BodyPlan, gap: f64, centers: &[SurfacePoint]) -> Vec<f32> {
         (1.0 / (1.0 + libm::exp(-depth / (SOFT * gap)))) as f32
     };
     (0..surface.cells()).into_par_iter().map(at).collect()
-}
-
-/// d ln area ÷ d ln level at ½, for cells of these attributes: the edge moves by 4·[`SOFT`]·gap·d level, along a contour of about 4·√area.
-#[must_use]
-pub fn level_slope(wanted: &Attributes, gap: f64) -> f64 {
-    let Attributes::Spots(spots) = wanted else { return -1.0 };
-    -8.0 * SOFT * gap / spots.area.sqrt()
 }
 
 /// For each vertex the points near to it, each with the square of its distance in the metric of its cell, px²; in the order of the points.

@@ -6,68 +6,16 @@ use rand_pcg::Pcg64Mcg;
 use super::discs::poisson_discs;
 use super::graph::SurfaceGraph;
 use super::interpolation::interpolate;
-use crate::attributes::{Attributes, Spread};
 use crate::grid::Domain;
-use crate::points::discs::POINTS_A_SQUARE;
-use crate::points::patches::{Patches, Wanted, axis_length, claimed, fringe, room, varied};
+use crate::points::patches::{Wanted, axis_length, claimed, fringe, room, varied};
 use crate::surface::SurfacePoint;
+use crate::synth::body::area_form::{PatchForm, disc};
 use crate::synth::body::plan::BodyPlan;
 
 /// The distance from a vertex to the nearest point, at most, in radii of discs: no vertex lies outside of all discs.
 const FARTHEST: f64 = 1.5;
 /// Patches that vary less than this are equal.
 const LEAST: f64 = 1e-3;
-
-/// How ragged patches are, and of how many points they are made.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PatchForm {
-    /// σ of the noise by which points are claimed, 0 to 1, or the raggedness that is wanted.
-    pub ragged: Ragged,
-    /// Points a patch.
-    pub detail: f64,
-}
-
-/// What says how ragged patches are.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Ragged {
-    /// σ.
-    Given(f64),
-    /// Contour² ÷ contour² of the ellipse of the same moments.
-    Drawn(f64),
-}
-
-impl PatchForm {
-    /// The patch that is wanted where spots of these attributes are.
-    #[must_use]
-    pub fn wanted(&self, wanted: &Attributes, spread: Spread) -> Option<Wanted> {
-        let Attributes::Spots(spots) = wanted else { return None };
-        let spacing = spots.spacing?;
-        let patch = Wanted {
-            area: spots.area,
-            spacing,
-            aspect: spots.aspect,
-            angle: spots.angle,
-            raggedness: 1.0,
-            spread,
-        };
-        let raggedness = match self.ragged {
-            Ragged::Given(sigma) => patch.raggedness_of(sigma, self.detail),
-            Ragged::Drawn(raggedness) => raggedness,
-        };
-        Some(Wanted { raggedness, ..patch })
-    }
-
-    /// The radius of the discs around the points of a patch, px.
-    #[must_use]
-    pub fn radius(&self, wanted: &Wanted) -> f64 {
-        disc(wanted, wanted.points(self.detail))
-    }
-}
-
-/// The radius of the discs of patches of so many points, px.
-fn disc(wanted: &Wanted, points: f64) -> f64 {
-    (POINTS_A_SQUARE * wanted.area / points.clamp(Patches::LEAST_DETAIL, Patches::MOST_DETAIL)).sqrt()
-}
 
 /// How much of a patch each vertex shows, 0..1, ½ about its edge; the patches begin at these `centers`.
 #[must_use]

@@ -4,7 +4,7 @@ use crate::attributes::{Attribute, Attributes, Spread};
 use crate::document::{AreaKind, Document, GapChoice, Layer, RaggedChoice, SpreadChoice, SystemChoice};
 use crate::measure::surface_stripes;
 use crate::synth::body::BodyLayer;
-use crate::synth::body::areas::AreaForm;
+use crate::synth::body::area_form::AreaForm;
 use crate::synth::body::kinds_tests::{from_marks, grown, on, spots};
 use crate::synth::pattern::EDGE;
 
