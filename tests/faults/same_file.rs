@@ -69,7 +69,11 @@ fn documents_of_a_batch_do_not_share_a_file() {
     fs::copy(bench.path("a.dapple"), bench.path("sub/a.dapple")).unwrap();
     fs::copy(bench.path("a.dapple"), bench.path("a+.dapple")).unwrap();
     bench.refuses("grow a.dapple sub/a.dapple -o out", 2, &["whose pictures would have the same name"]);
-    bench.refuses("grow a.dapple a+.dapple -o out --material m", 2, &["whose pictures would have the same name"]);
+    bench.refuses(
+        "grow a.dapple a+.dapple -o out --material m",
+        2,
+        &["whose pictures would have the same name"],
+    );
     bench.refuses(
         "grow a.dapple b.dapple -o out --concentrations c.exr",
         2,

@@ -15,6 +15,7 @@ mod asked;
 mod begin;
 mod beneath;
 mod choice;
+mod clearance;
 mod coat;
 mod curves;
 mod describe;
