@@ -109,6 +109,10 @@ fn overlapping(hand: &Hand) -> Vec<(String, String)> {
     let mut found = Vec::new();
     for (index, (name, rect)) in all.iter().enumerate() {
         for (other, second) in &all[index + 1..] {
+            // The row of a layer holds its eye and its snowflake.
+            if name.starts_with("Layer ") && rect.contains_rect(*second) {
+                continue;
+            }
             let both = rect.intersect(*second);
             if both.width() > 1.0 && both.height() > 1.0 {
                 found.push((name.clone(), other.clone()));

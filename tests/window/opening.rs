@@ -47,7 +47,7 @@ fn a_document_that_is_saved_as_a_picture_gets_its_own_ending_and_is_listed_when_
     let saved = folder.path().join("x.png.dapple");
     assert_eq!(Document::read(&saved).unwrap(), hand.document());
     hand.key(Modifiers::COMMAND, Key::O);
-    assert!(hand.window.query_by_label("x.png.dapple").is_some(), "what was saved is listed");
+    assert!(hand.window.query_all_by_label("x.png.dapple").next().is_some(), "what was saved is listed");
 }
 
 #[test]

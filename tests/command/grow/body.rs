@@ -153,12 +153,12 @@ fn check_lists_what_will_grow_on_a_model_and_refuses_what_cannot() {
         "{text}"
     );
     let mut document = ball();
-    document["layers"][0]["system"] = json!("maze");
+    document["layers"][0]["system"] = json!("stucco");
     folder.write("a.dapple", &document.to_string());
     folder.refuses(
         "grow a.dapple -o a.png",
         1,
-        &["layers[0].system: found \"maze\" on a model", "turing-spots"],
+        &["layers[0].system: found \"stucco\" on a model", "turing-spots"],
     );
     document = ball();
     let noise = json!({"size": 50, "octaves": 1, "range": [0, 0.2]});

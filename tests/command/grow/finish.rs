@@ -146,14 +146,14 @@ fn hair_follows_an_angle_or_the_strokes_of_a_layer_of_hair() {
         let folder = Folder::new();
         folder.write("a.dapple", &document.to_string());
         folder.grow("--labels l.png");
-        (image::open(folder.path("a.png")).unwrap().into_rgb8().into_raw(), folder.bytes("l.png"))
+        ["a.png", "l.png"].map(|name| image::open(folder.path(name)).unwrap().into_rgb8().into_raw())
     });
-    assert!(angled.1 == usual.1 && drawn.1 == usual.1);
+    assert!(angled[1] == usual[1] && drawn[1] == usual[1]);
     let apart = |one: &[u8], other: &[u8]| {
         let sum: f64 = one.iter().zip(other).map(|(a, b)| f64::from(a.abs_diff(*b))).sum();
         sum / one.len() as f64
     };
     // A single line downwards gives nearly the same direction everywhere.
-    let (same, other) = (apart(&angled.0, &drawn.0), apart(&angled.0, &usual.0));
+    let (same, other) = (apart(&angled[0], &drawn[0]), apart(&angled[0], &usual[0]));
     assert!(same < 1.0 && other > 5.0, "{same} {other}");
 }
