@@ -198,7 +198,7 @@ mod tests {
 
     #[test]
     fn the_smallest_eigenvector_makes_stripes_of_the_wanted_wavelength_and_direction() {
-        let mut grown = grown("torus", 200.0, 1).expect("it grows");
+        let mut grown = grown("torus", 130.0, 1).expect("it grows");
         let layer = grown.layers.remove(0);
         let pattern = pattern(&layer.plan);
         grown.layers.push(layer.with_pattern(pattern));

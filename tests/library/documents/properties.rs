@@ -97,8 +97,8 @@ fn document() -> impl Strategy<Value = Document> {
             layers[0].on_model.extend(mark);
             let (size, growth) = ([512, 256], Growth { refine });
             let starred = Vec::new();
-            // A model takes no finish.
-            let finish = finish(seed).filter(|_| model.is_none());
+            // Models and surfaces with a flat map take no finish.
+            let finish = finish(seed).filter(|_| model.is_none() && parametric.is_none());
             Document {
                 name,
                 size,
