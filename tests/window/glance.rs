@@ -34,7 +34,10 @@ fn closed_strokes_are_called_what_they_become() {
         hand.drag(&[[left, 100.0], [left + 50.0, 140.0], [left + 100.0, 180.0]]);
     }
     hand.press("Grow cells");
-    assert!(told(&hand, "3 cells") && told(&hand, "It becomes a cell"));
+    assert!(told(&hand, "3 cells"));
+    // The mark that was drawn last is selected.
+    hand.key(Modifiers::NONE, Key::Escape);
+    assert!(told(&hand, "It becomes a cell"));
     hand.key(Modifiers::NONE, Key::B);
     assert!(told(&hand, "a closed stroke becomes a cell"));
     assert!(told(&hand, "A closed stroke becomes a cell on this layer"));
