@@ -292,7 +292,7 @@ pub fn room(graph: &impl PointGraph, patches: usize, others: usize) -> Vec<f64> 
 }
 
 /// The owners and the values of the points of a graph, at the first of which the patches begin that are `asked` for, with `detail`
-/// points in each. `noise` holds the [`fringe`] of each point. `taken` points are not claimed.
+/// points in each. `noise` holds the [`fringe()`] of each point. `taken` points are not claimed.
 #[must_use]
 pub fn claimed(
     graph: &impl PointGraph,

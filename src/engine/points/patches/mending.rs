@@ -85,7 +85,7 @@ fn enclosing(graph: &impl PointGraph, hole: &[usize], owner: &[Option<u32>], tak
 }
 
 impl Labelled {
-    /// Gives the value [`BETWEEN`] to light points beside two patches.
+    /// Gives a value below 0 to light points beside two patches.
     pub fn part(&mut self, graph: &impl PointGraph, least: f64) {
         for point in self.light() {
             if between(graph, &self.owner, point, least, |one, other| one != other) {
