@@ -99,7 +99,7 @@ struct Valued {
 /// Octaves and passes with smaller discs, in cells, are left out: a cell would show the mean of several.
 const FINEST: f64 = 1.0;
 /// Difference between the seeds of successive octaves; an odd number, so that none repeats (2⁶⁴ ÷ the golden ratio).
-const OCTAVE_SEED: u64 = 0x9E37_79B9_7F4A_7C15;
+pub const OCTAVE_SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 /// Width of the frame of discs beyond a closed border, in radii: it holds the neighbours of those that reach the canvas, 2 for each
 /// length of an axis.
 const FRAME: f64 = 2.0;
@@ -179,7 +179,9 @@ impl PointField<'_> {
             Labelling::BreadthFirst(size) => self.clustered(&graph, size, Order::BreadthFirst, rng),
             Labelling::DepthFirst(size) => self.clustered(&graph, size, Order::DepthFirst, rng),
             Labelling::RoundRobin(size, rings) => round_robin_labels(&graph, size, rings, rng),
-            Labelling::Connected(start, rings) => connected(&graph, start, rings, rng),
+            Labelling::Connected(start, rings) => {
+                connected(&graph, |ends| labels::sparse(&graph, ends), start, rings, rng)
+            }
         };
         self.labelled(graph, &dark)
     }

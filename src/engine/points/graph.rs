@@ -19,6 +19,9 @@ pub trait PointGraph {
     /// The displacement, px, from point `from` to the end of an axis of point `at`, in the frame of `from`, where that to `at` is given.
     fn onward(&self, from: usize, at: usize, displacement: [f64; 2], axis: &Axis) -> [f64; 2];
 
+    /// The shortest displacement from a point to another, px, in the frame of the first.
+    fn way(&self, from: usize, to: usize) -> [f64; 2];
+
     /// The neighbours of a point.
     fn neighbours(&self, point: usize) -> impl Iterator<Item = usize> {
         self.axes(point).iter().filter_map(|axis| axis.to).map(|to| to as usize)
@@ -44,5 +47,10 @@ impl PointGraph for Delaunay {
 
     fn onward(&self, _: usize, _: usize, [x, y]: [f64; 2], axis: &Axis) -> [f64; 2] {
         [x + axis.displacement[0], y + axis.displacement[1]]
+    }
+
+    fn way(&self, from: usize, to: usize) -> [f64; 2] {
+        let [from, to] = [from, to].map(|point| self.points[point]);
+        self.extent.shortest([to[0] - from[0], to[1] - from[1]])
     }
 }

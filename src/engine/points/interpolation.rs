@@ -275,15 +275,22 @@ impl<'a> Supports<'a> {
         }
         for (k, weight) in weights.iter_mut().enumerate() {
             let dx = x + k as f64 * self.grid.cell[0];
-            let away = (dx * dx + y * y).sqrt();
-            if *weight > 0.0 && away > 0.0 {
-                let turned = strength * (dx * direction[0] + y * direction[1]) / away;
-                // At K = −1 the exponent is infinite: 1 ÷ .001 also reduces any weight below 1 to nearly 0.
-                let exponent = if turned >= 0.0 { 1.0 - turned } else { 1.0 / (1.0 + turned).max(1e-3) };
-                *weight = exp(exponent * ln(f64::from(*weight))) as f32;
-            }
+            *weight = shifted(*weight, strength, direction, [dx, y]);
         }
     }
+}
+
+/// W′ of equation 4, of a weight at a displacement from its point, which shifts it by ε = `strength` along the unit vector `direction`.
+#[must_use]
+pub fn shifted(weight: f32, strength: f64, direction: [f64; 2], [dx, dy]: [f64; 2]) -> f32 {
+    let away = (dx * dx + dy * dy).sqrt();
+    if weight <= 0.0 || away <= 0.0 {
+        return weight;
+    }
+    let turned = strength * (dx * direction[0] + dy * direction[1]) / away;
+    // At K = −1 the exponent is infinite: 1 ÷ .001 also reduces any weight below 1 to nearly 0.
+    let exponent = if turned >= 0.0 { 1.0 - turned } else { 1.0 / (1.0 + turned).max(1e-3) };
+    exp(exponent * ln(f64::from(weight))) as f32
 }
 
 /// The first row whose cells' centres lie at `y` px or beyond.

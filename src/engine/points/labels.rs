@@ -13,10 +13,10 @@ use crate::grid::Field;
 
 pub(crate) use clusters::shuffle;
 pub use clusters::{Order, clusters};
-pub use connected::{connected, net, net_along, ringed};
+pub use connected::{connected, net, net_along, ringed, sparse};
 pub use groups::groups;
 pub use round_robin::{Claim, bordered, round_robin};
-pub use space_giraffe::space_giraffe;
+pub use space_giraffe::{ray_points, space_giraffe};
 pub use streaks::streaks;
 
 /// Each of `points` is dark with the probability `dark` at its place: the cow of figure 11, the progressions of figure 17.

@@ -111,8 +111,15 @@ pub fn relevel_at(field: &mut Field, level: f32) {
 pub fn relevel_smoothly(field: &mut Field, level: f32) {
     let level = level.clamp(LEAST, 1.0 - LEAST);
     for value in &mut field.values {
-        *value = *value * (1.0 - level) / (level + *value * (1.0 - 2.0 * level));
+        *value = smoothly(*value, level);
     }
+}
+
+/// A value, 0..1, rescaled as [`relevel_smoothly`] does.
+#[must_use]
+pub fn smoothly(value: f32, level: f32) -> f32 {
+    let level = level.clamp(LEAST, 1.0 - LEAST);
+    value * (1.0 - level) / (level + value * (1.0 - 2.0 * level))
 }
 
 /// Least distance of the level from 0 and 1: nearer levels would make the slope too steep.

@@ -37,15 +37,16 @@ pub mod voronoi;
 mod walk;
 
 pub use bodies::{BODIES, built_in};
+pub use bounding_tree::BoundingTree;
 pub use directions::{Directions, Singularity, directions};
 pub use geodesic::distances;
 pub use height_field::HeightField;
 pub use intrinsic_delaunay::{Triangulation, edges};
 pub use laplacian::{Laplacian, laplacian, laplacian_of_lengths};
 pub use local_map::LocalMap;
-pub use mesh::Mesh;
+pub use mesh::{Mesh, area_vector};
 pub use metric::Stretch;
-pub use model::{Model, ModelError, read_model};
+pub use model::{Face, Model, ModelError, read_model};
 pub use point::SurfacePoint;
 pub use prepare::{Repairs, SurfaceError, prepare};
 pub use remesh::{Remeshing, remesh};

@@ -12,9 +12,17 @@ use crate::points::graph::PointGraph;
 /// along the graph between neighbouring drawn points, and `rings` rings of neighbours round these.
 ///
 /// A start of 3–4 % gives a cracked net, with a third to a half of the points in it; from 40 % on nearly every point is in it.
-pub fn connected(graph: &Delaunay, start: f64, rings: usize, rng: &mut impl Rng) -> Vec<bool> {
-    let ends: Vec<usize> = (0..graph.points.len()).filter(|_| rng.random::<f64>() < start).collect();
-    let joined = net(graph, &ends, f64::NEG_INFINITY);
+///
+/// `sparse` makes the graph of some of the points.
+pub fn connected<G: PointGraph, S: PointGraph>(
+    graph: &G,
+    sparse: impl FnOnce(&[usize]) -> S,
+    start: f64,
+    rings: usize,
+    rng: &mut impl Rng,
+) -> Vec<bool> {
+    let ends: Vec<usize> = (0..graph.count()).filter(|_| rng.random::<f64>() < start).collect();
+    let joined = net_along(graph, &ends, &sparse(&ends), f64::NEG_INFINITY);
     ringed(graph, joined, rings)
 }
 
@@ -34,8 +42,14 @@ pub fn ringed(graph: &impl PointGraph, mut joined: Vec<bool>, rings: usize) -> V
 /// finite, paths use only edges of a clearance of at least 0.2, so that they are connected in the interpolated field too.
 #[must_use]
 pub fn net(graph: &Delaunay, ends: &[usize], clearance: f64) -> Vec<bool> {
-    let places: Vec<[f64; 2]> = ends.iter().map(|point| graph.points[*point]).collect();
-    net_along(graph, ends, &Delaunay::new(&places, graph.extent), clearance)
+    net_along(graph, ends, &sparse(graph, ends), clearance)
+}
+
+/// The graph of some points of another.
+#[must_use]
+pub fn sparse(graph: &Delaunay, points: &[usize]) -> Delaunay {
+    let places: Vec<[f64; 2]> = points.iter().map(|point| graph.points[*point]).collect();
+    Delaunay::new(&places, graph.extent)
 }
 
 /// The [`net`] between the `ends` that are neighbours in their own graph, `sparse`.

@@ -3,12 +3,12 @@
 use rand::Rng;
 
 use super::clusters::shuffle;
-use crate::points::delaunay::Delaunay;
+use crate::points::graph::PointGraph;
 
 /// The group of each point: `size` neighbours each, the nearest to the first one; fewer if no more are free.
-pub fn groups(graph: &Delaunay, size: usize, rng: &mut impl Rng) -> Vec<u32> {
-    let mut group: Vec<Option<u32>> = vec![None; graph.points.len()];
-    let mut starts: Vec<usize> = (0..graph.points.len()).collect();
+pub fn groups(graph: &impl PointGraph, size: usize, rng: &mut impl Rng) -> Vec<u32> {
+    let mut group: Vec<Option<u32>> = vec![None; graph.count()];
+    let mut starts: Vec<usize> = (0..graph.count()).collect();
     shuffle(&mut starts, rng);
     let mut count = 0;
     for start in starts {
@@ -21,8 +21,7 @@ pub fn groups(graph: &Delaunay, size: usize, rng: &mut impl Rng) -> Vec<u32> {
             let beside = taken.iter().flat_map(|point| graph.neighbours(*point));
             let free = beside.filter(|point| group[*point].is_none());
             let away = |point: usize| {
-                let [from, to] = [start, point].map(|point| graph.points[point]);
-                let displacement = graph.extent.shortest([to[0] - from[0], to[1] - from[1]]);
+                let displacement = graph.way(start, point);
                 displacement[0] * displacement[0] + displacement[1] * displacement[1]
             };
             let Some(next) = free.min_by(|a, b| away(*a).total_cmp(&away(*b)).then(a.cmp(b))) else { break };

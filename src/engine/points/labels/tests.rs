@@ -155,7 +155,8 @@ fn connected_points_are_one_part_for_any_start() {
     let graph = graph(3.0, 8);
     let mut shares = Vec::new();
     for (start, rings) in [(0.01, 0), (0.03, 0), (0.03, 1), (0.4, 0)] {
-        let joined = connected(&graph, start, rings, &mut Pcg64Mcg::seed_from_u64(9));
+        let joined =
+            connected(&graph, |ends| sparse(&graph, ends), start, rings, &mut Pcg64Mcg::seed_from_u64(9));
         let owner: Vec<Option<u32>> = joined.iter().map(|joined| joined.then_some(0)).collect();
         assert_eq!(parts(&graph, &owner).len(), 1, "{start}");
         shares.push(joined.iter().filter(|joined| **joined).count() as f64 / joined.len() as f64);

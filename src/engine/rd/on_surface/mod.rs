@@ -9,8 +9,10 @@
 
 mod growth;
 mod operators;
+mod pairs;
 mod problem;
 #[cfg(test)]
 mod tests;
 
 pub use growth::SurfaceGrowth;
+pub use pairs::{SurfacePairField, SurfacePairs};

@@ -7,6 +7,7 @@ use super::{Combination, PairModel};
 use crate::rd::chemicals::{Chemicals, reacting};
 use crate::rd::kinetics::{Kinetics, Spreading};
 use crate::rd::plane::Plane;
+use crate::rd::sparse::{SparseChemicals, reacting_by_rows};
 use crate::rd::vector::Number;
 
 /// Each of the first `moving` morphogens spreads by a tensor of its own, the others not at all.
@@ -142,6 +143,26 @@ pub(super) fn held_pairs(planes: Vec<Plane>) -> Option<Box<dyn Chemicals>> {
         7 => reacting(HeldReaction::<7>, planes),
         9 => reacting(HeldReaction::<9>, planes),
         11 => reacting(HeldReaction::<11>, planes),
+        _ => None,
+    }
+}
+
+/// The morphogens of one or two pairs by vertex of a surface with the reaction of `model`; `None` for another number of vectors.
+#[must_use]
+pub fn reacting_pairs_by_rows(model: PairModel, rows: &[Vec<f32>]) -> Option<Box<dyn SparseChemicals>> {
+    match rows.len() {
+        2 => reacting_by_rows(PairReaction::<2>::new(model), rows),
+        4 => reacting_by_rows(PairReaction::<4>::new(model), rows),
+        _ => None,
+    }
+}
+
+/// The morphogens of one or two pairs by vertex of a surface, and a reaction that is held; `None` for another number of vectors.
+#[must_use]
+pub fn held_pairs_by_rows(rows: &[Vec<f32>]) -> Option<Box<dyn SparseChemicals>> {
+    match rows.len() {
+        3 => reacting_by_rows(HeldReaction::<3>, rows),
+        5 => reacting_by_rows(HeldReaction::<5>, rows),
         _ => None,
     }
 }

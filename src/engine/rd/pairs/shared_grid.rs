@@ -15,9 +15,9 @@ use crate::rd::super_step::suited;
 use crate::rd::wavefront::{Instructions, Tiling};
 
 /// Largest dt · (4Σw + b) of an explicit step: at 1.8 a checkerboard of cells persists (`facts.md` T).
-pub(super) const STEP_LIMIT: f32 = 1.5;
+pub(in crate::rd) const STEP_LIMIT: f32 = 1.5;
 /// Longest super step, in 1/b.
-pub(super) const SUPER_STEP_LIMIT: f32 = 0.25;
+pub(in crate::rd) const SUPER_STEP_LIMIT: f32 = 0.25;
 
 /// Pairs being grown on one grid.
 #[derive(Clone, Debug)]

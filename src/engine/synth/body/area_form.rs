@@ -1,18 +1,21 @@
-//! What is particular to patches and cells on a surface: their raggedness or lines, the distances and meshes that follow, and the laws by
-//! which their places are laid.
+//! What is particular to patches, cells and fields of points on a surface: their raggedness or lines, the distances and meshes that follow,
+//! and the laws by which their places are laid.
 
+use crate::attributes::system::Description;
 use crate::attributes::{Attributes, Spots, Spread};
 use crate::document::{After, AreaKind, Document, RaggedChoice, Stroke};
 use crate::grid::Bounds;
 use crate::learn::{self, Answer};
 use crate::marks::Mark;
 use crate::points::discs::POINTS_A_SQUARE;
+use crate::points::fields::POINTS;
 use crate::points::patches::{Patches, Wanted};
 use crate::rd::System;
 use crate::rd::pairs::polygons::widest_gap;
 use crate::synth::areas::plan::patches::{MOST_COVERAGE, USUAL_COVERAGE};
 use crate::synth::areas::plan::polygons::{LearntFactors, PolygonForm, USUAL, drawn_gap};
 use crate::synth::areas::plan::shapes;
+use crate::synth::body::point_form::PointForm;
 
 /// The form of areas on a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,6 +24,8 @@ pub enum AreaForm {
     Patches(PatchForm),
     /// Cells with lines of this width, px, between them.
     Cells(f64),
+    /// A field of points.
+    Points(PointForm),
 }
 
 /// Vertices across a line between cells, and across the side of a cell.
@@ -37,6 +42,9 @@ impl AreaForm {
         let layer = &document.layers[index];
         if layer.after != After::Between {
             return None;
+        }
+        if let Some(points) = layer.point_field() {
+            return Some(Self::Points(PointForm::new(document, &points, wanted)));
         }
         let marks: Vec<Mark> = layer.strokes.iter().filter_map(Stroke::mark).collect();
         let options = &layer.options;
@@ -62,17 +70,24 @@ impl AreaForm {
     pub fn possible(&self, asked: Spread) -> Spread {
         match self {
             Self::Patches(_) => asked,
-            Self::Cells(_) => Spread::ZERO,
+            Self::Cells(_) | Self::Points(_) => Spread::ZERO,
         }
     }
 
-    /// The kind of areas.
+    /// The description of what grows.
     #[must_use]
-    pub fn kind(&self) -> AreaKind {
+    pub fn description(&self) -> &'static Description {
         match self {
-            Self::Patches(_) => AreaKind::Patches,
-            Self::Cells(_) => AreaKind::Polygons,
+            Self::Patches(_) => AreaKind::Patches.description(),
+            Self::Cells(_) => AreaKind::Polygons.description(),
+            Self::Points(_) => &POINTS,
         }
+    }
+
+    /// What is wanted where nothing is drawn; `None` of areas that need marks.
+    #[must_use]
+    pub fn undrawn(&self) -> Option<Attributes> {
+        if let Self::Points(form) = self { form.undrawn() } else { None }
     }
 
     /// What is wanted, with the spacing that such areas have or need.
@@ -84,6 +99,7 @@ impl AreaForm {
                 wanted.spacing.unwrap_or_else(|| of(USUAL_COVERAGE)).max(of(MOST_COVERAGE))
             }
             Self::Cells(gap) => cells(*gap).wanted(&wanted).spacing,
+            Self::Points(form) => return form.filled(wanted),
         };
         Spots { spacing: Some(spacing), ..wanted }
     }
@@ -98,6 +114,7 @@ impl AreaForm {
                 patch.map_or(f64::INFINITY, |patch| form.radius(&patch) / PATCHES)
             }
             Self::Cells(gap) => (gap / CELLS[0]).min(spots.area.sqrt() / CELLS[1]),
+            Self::Points(form) => form.cell(spots),
         }
     }
 
@@ -107,7 +124,7 @@ impl AreaForm {
         let Attributes::Spots(spots) = *wanted else { return answer(*wanted, 1.0, 1.0) };
         let spacing = spots.spacing.unwrap_or(spots.area.sqrt());
         let stretch = match self {
-            Self::Patches(_) => spots.aspect,
+            Self::Patches(_) | Self::Points(_) => spots.aspect,
             Self::Cells(gap) => cells(*gap).wanted(&spots).aspect,
         };
         let root = (system.definition().laws.spacing)(RATIO as f32) * cell / spacing;
@@ -119,7 +136,7 @@ impl AreaForm {
     pub fn level_slope(&self, wanted: &Attributes) -> f64 {
         match self {
             // Labels change from 0 to 1 over a distance of points, about a third of the radius of a patch.
-            Self::Patches(_) => -0.5,
+            Self::Patches(_) | Self::Points(_) => -0.5,
             Self::Cells(gap) => level_slope(wanted, *gap),
         }
     }

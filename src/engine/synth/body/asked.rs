@@ -1,12 +1,14 @@
 //! What a layer asks for on a model, before places are known.
 
 use crate::attributes::{Attributes, Spots, Spread, Stripes};
-use crate::document::{Body, BodyEllipse, BodyMark, Document, DocumentError, Layer, LayerOptions};
+use crate::document::{Body, BodyEllipse, BodyMark, Document, Layer, LayerOptions};
 use crate::marks::axial;
 use crate::synth::body::area_form::AreaForm;
 use crate::synth::body::choice::Choice;
 use crate::synth::body::refusals;
+use crate::synth::body::thread_form::ThreadForm;
 use crate::synth::drawn::sketch_targets::region_map;
+use crate::synth::error::LayerError;
 use crate::synth::marks::plan::free_spacing;
 use crate::synth::marks::plan::spread_limits::limited;
 use crate::synth::training::Training;
@@ -18,6 +20,8 @@ pub struct Asked {
     pub layer: usize,
     /// What grows it.
     pub choice: Choice,
+    /// Its threads; `None` of other marks.
+    pub threads: Option<ThreadForm>,
     /// What each region asks for, row by row, or the whole sketch; none where nothing is drawn on the canvas.
     pub regions: Vec<Attributes>,
     /// How much the spots of each region vary.
@@ -45,12 +49,15 @@ impl Asked {
         drawn: &[Option<f64>],
         source: &str,
         training: &Training,
-    ) -> Result<Self, DocumentError> {
+    ) -> Result<Self, LayerError> {
         let layer = &document.layers[index];
         let pinned = document.regions.filter(|_| !body.pins.is_empty()).unwrap_or([1, 1]);
         let (mut regions, mut asked_spreads, mut is_given) = (Vec::new(), Vec::new(), false);
-        if !layer.strokes.is_empty() {
-            let sketch = Document { regions: Some(pinned), ..document.clone() };
+        let sketch = Document { regions: Some(pinned), ..document.clone() };
+        let mut threads = None;
+        if let Some((form, of_first)) = ThreadForm::read(&sketch, index, source, training)? {
+            (threads, regions) = (Some(form), of_first);
+        } else if !layer.strokes.is_empty() {
             let map = region_map(&sketch, index, source)?;
             regions = map.of_regions();
             asked_spreads = map.regions().map(|(_, region)| region.spread).collect();
@@ -60,8 +67,15 @@ impl Asked {
         let marks: Vec<Attributes> = layer.on_model.iter().map(|mark| of_mark(mark, layer, angle)).collect();
         let all: Vec<Attributes> = regions.iter().chain(&marks).copied().collect();
         let areas = AreaForm::of(document, index, &all);
-        let choice =
-            Choice::new(layer, &all, areas).ok_or_else(|| refusals::system(layer, index).in_file(source))?;
+        let undrawn = areas.filter(|_| all.is_empty()).and_then(|form| form.undrawn());
+        regions.extend(undrawn);
+        asked_spreads.resize(regions.len(), Spread::ZERO);
+        let all: Vec<Attributes> = regions.iter().chain(&marks).copied().collect();
+        let refused = || refusals::system(layer, index).in_file(source);
+        let choice = match &threads {
+            Some(form) => Choice::of_threads(form.kind()),
+            None => Choice::new(layer, &all, areas).ok_or_else(refused)?,
+        };
         let is_free =
             all.iter().all(|wanted| wanted.distance().is_none()) && drawn.iter().all(Option::is_none);
         let regions: Vec<Attributes> =
@@ -72,7 +86,8 @@ impl Asked {
             filled(training, &choice, mark, spacing)
         };
         let marks = marks.into_iter().enumerate().map(spaced).collect();
-        let (mut spreads, mut notes) = (Vec::new(), Vec::new());
+        let mut spreads = Vec::new();
+        let mut notes = threads.as_ref().map_or_else(Vec::new, |form| form.notes.clone());
         for (wanted, asked) in regions.iter().zip(&asked_spreads) {
             let Attributes::Spots(spots) = wanted else { continue };
             if let Some(form) = &choice.areas {
@@ -87,6 +102,7 @@ impl Asked {
         Ok(Self {
             layer: index,
             choice,
+            threads,
             marks,
             regions,
             spreads,

@@ -4,11 +4,12 @@ use crate::attributes::Attributes;
 use crate::document::{After, BodyMark, Document, Seeding};
 use crate::measure::surface_stripes;
 use crate::rd::{
-    GuideSegment, Parameters, PinnedSpot, Places, from_places, from_wave_values, initial_waves, waves_from,
+    GuideSegment, ParameterField, Parameters, PinnedSpot, Places, System, from_places, from_wave_values,
+    initial_waves, waves_from,
 };
 use crate::surface::{Surface, SurfacePoint, distances};
 use crate::synth::body::anchors::{ellipses, place_of};
-use crate::synth::body::areas;
+use crate::synth::body::areas::{self, GrownAreas};
 use crate::synth::body::given_directions::{Piece, pieces};
 use crate::synth::body::laid::lay;
 use crate::synth::body::layer::BodyLayer;
@@ -16,6 +17,7 @@ use crate::synth::body::placed::Placed;
 use crate::synth::body::plan::BodyPlan;
 use crate::synth::body::varied::vary;
 use crate::synth::error::LayerError;
+use crate::synth::report::PointsReport;
 
 /// Initial concentrations.
 pub struct Initial {
@@ -23,6 +25,8 @@ pub struct Initial {
     pub concentrations: Vec<Vec<f32>>,
     /// How many spots were laid; 0 of stripes.
     pub laid: usize,
+    /// The report of a field of points; `None` of other marks.
+    pub points: Option<PointsReport>,
 }
 
 /// The initial concentrations of a planned layer. `coarse` is a mesh of the same model with longer edges, and `beneath` are the layers
@@ -38,19 +42,14 @@ pub fn begin(
     beneath: &[BodyLayer],
 ) -> Result<Initial, LayerError> {
     if plan.choice.system.is_striped() {
-        return Ok(Initial { concentrations: stripes(document, placed, plan)?, laid: 0 });
+        return Ok(Initial { concentrations: stripes(document, placed, plan)?, laid: 0, points: None });
     }
     let seed = document.layer_seed(plan.layer);
     let pinned = pinned(document, placed, plan);
     if let Some(form) = plan.choice.areas {
-        let centers = lay(&plan.maps, plan.choice.system, coarse, seed, &pinned).inside;
-        if centers.is_empty() {
-            return Err(LayerError::NoRoom);
-        }
-        return Ok(Initial {
-            concentrations: vec![areas::grown(plan, &form, &centers, seed)],
-            laid: centers.len(),
-        });
+        let laid = || lay(&plan.maps, plan.choice.system, coarse, seed, &pinned).inside;
+        let GrownAreas { marks, laid, points } = areas::grown(document, plan, &form, laid)?;
+        return Ok(Initial { concentrations: vec![marks], laid, points });
     }
     let laid = match (document.layers[plan.layer].after, beneath.last()) {
         (After::Inside, Some(outer)) => {
@@ -65,7 +64,7 @@ pub fn begin(
     if places.is_empty() {
         Err(LayerError::NoRoom)
     } else {
-        Ok(Initial { concentrations, laid: places.len() })
+        Ok(Initial { concentrations, laid: places.len(), points: None })
     }
 }
 
@@ -120,33 +119,48 @@ fn stripes(document: &Document, placed: &Placed, plan: &mut BodyPlan) -> Result<
     } else {
         let guides = paths.flat_map(|points| guides(points, placed, plan)).collect::<Vec<_>>();
         let seed = document.layer_seed(plan.layer);
-        let waves = |plan: &BodyPlan| initial_waves(system, &plan.maps, seed, &guides);
-        let values = waves(plan);
-        match values.as_ref().and_then(|values| longer(plan, values)) {
-            Some(by) => {
-                plan.maps.parameters.iter_mut().for_each(|p| p.pitch *= by as f32);
-                waves(plan)
-            }
-            None => values,
-        }
+        let wanted: Vec<Option<f64>> = plan.wanted.iter().map(Attributes::distance).collect();
+        phases(system, &mut plan.maps, &|vertex| wanted[vertex], seed, &guides)
     };
     let concentrations = values.and_then(|values| from_wave_values(system, &plan.maps, &values));
     concentrations.ok_or(LayerError::NoRoom)
 }
 
+/// The phases of lines, −π..π and 0 along their middles, which follow the `guides` and are so many px apart at each vertex; `None` of
+/// systems that do not begin from phases.
+#[must_use]
+pub fn phases(
+    system: System,
+    maps: &mut ParameterField<Surface>,
+    wanted: &dyn Fn(usize) -> Option<f64>,
+    seed: u64,
+    guides: &[GuideSegment<SurfacePoint>],
+) -> Option<Vec<f32>> {
+    let values = initial_waves(system, maps, seed, guides)?;
+    match longer(system, &maps.domain, wanted, &values) {
+        Some(by) => {
+            maps.parameters.iter_mut().for_each(|p| p.pitch *= by as f32);
+            initial_waves(system, maps, seed, guides)
+        }
+        None => Some(values),
+    }
+}
+
 /// By how much the lines must begin farther apart so that the distance between them is the one that is wanted; `None` for stripes whose
 /// distance follows from their width. Where waves meet more crests begin than their length says, by some per cent.
-fn longer(plan: &BodyPlan, phases: &[f32]) -> Option<f64> {
-    if !plan.choice.system.description().free_spacing {
+fn longer(
+    system: System,
+    surface: &Surface,
+    wanted: &dyn Fn(usize) -> Option<f64>,
+    phases: &[f32],
+) -> Option<f64> {
+    if !system.description().free_spacing {
         return None;
     }
     let cosines: Vec<f32> = phases.iter().map(|phase| libm::cosf(*phase)).collect();
-    let surface = plan.surface();
     let found = surface_stripes(surface, &cosines, 0.0, 1, &|_| 0).first()?.wavelength()?;
-    let crests = |(vertex, wanted): (usize, &Attributes)| {
-        surface.cell_area(vertex) / wanted.distance().unwrap_or(found)
-    };
-    let expected: f64 = plan.wanted.iter().enumerate().map(crests).sum();
+    let crests = |vertex: usize| surface.cell_area(vertex) / wanted(vertex).unwrap_or(found);
+    let expected: f64 = (0..phases.len()).map(crests).sum();
     Some((surface.mesh.area() / expected / found).clamp(0.8, 1.25))
 }
 

@@ -3,6 +3,8 @@
 use crate::attributes::system::{Description, MarkKind};
 use crate::attributes::{Attributes, Polarity};
 use crate::document::{Layer, SystemChoice};
+use crate::learn::{Answer, Parameters};
+use crate::rd::pairs::PairKind;
 use crate::rd::{LinesAlongCurves, System};
 use crate::synth::body::area_form::AreaForm;
 use crate::synth::marks::plan::around::curve_kind;
@@ -17,9 +19,14 @@ pub struct Choice {
     pub polarity: Polarity,
     /// The curves round or between the marks beneath that its lines run along, and the laws of these; `None` where they run freely.
     pub curves: Option<(CurveKind, LinesAlongCurves)>,
+    /// The kind of threads of pairs: `system` only lays the lines that they begin from; `None` of other marks.
+    pub threads: Option<PairKind>,
     /// The form of patches or cells, which do not react: `system` lays their places; `None` of other marks.
     pub areas: Option<AreaForm>,
 }
+
+/// D_b/Dₐ of the system that lays the lines of threads; it cancels out.
+const RATIO: f64 = 15.0;
 
 /// Whether a system grows on models.
 #[must_use]
@@ -76,12 +83,31 @@ impl Choice {
     /// Marks of a system that grow freely.
     #[must_use]
     pub const fn of(system: System) -> Self {
-        Self { system, polarity: Polarity::Positive, curves: None, areas: None }
+        Self { system, polarity: Polarity::Positive, curves: None, threads: None, areas: None }
+    }
+
+    /// Threads of this kind.
+    #[must_use]
+    pub const fn of_threads(kind: PairKind) -> Self {
+        Self { threads: Some(kind), ..Self::of(System::MEINHARDT_LINES) }
+    }
+
+    /// The parameters by which the lines are laid that threads begin from, on cells of `cell` px; nothing is looked up.
+    #[must_use]
+    pub fn law_of_threads(&self, wanted: &Attributes, cell: f64) -> Answer {
+        let wavelength = wanted.distance().unwrap_or(cell);
+        let root = (self.system.definition().laws.spacing)(RATIO as f32) * cell / wavelength;
+        let (ratio, level) = (Some(RATIO), Some(0.5));
+        let parameters = Parameters { rate: root * root, ratio, stretch: 1.0, direction: 0.0, level };
+        Answer::of_law(parameters, *wanted)
     }
 
     /// The description of what grows.
     #[must_use]
     pub fn description(&self) -> &'static Description {
-        self.areas.map_or(self.system.description(), |form| form.kind().description())
+        if let Some(kind) = self.threads {
+            return kind.description();
+        }
+        self.areas.map_or(self.system.description(), |form| form.description())
     }
 }

@@ -37,7 +37,7 @@ pub fn describe(
 ) -> Result<DescribedBody, GrowError> {
     let Options { source, training, .. } = *options;
     let body = refusals::check(document, source)?;
-    let placed = Placed::read(body, model, source)?;
+    let placed = Placed::read(body, model, source)?.with_coordinates(document, source)?;
     let in_layer = |error: LayerError| error.in_layer(source, 1);
     let asked = asked_of_all(document, body, &placed, options).map_err(in_layer)?;
     let cells: Vec<f64> = asked

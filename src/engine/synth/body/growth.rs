@@ -18,10 +18,12 @@ use crate::synth::body::plan::{self, BodyPlan};
 use crate::synth::body::ragged::roughened;
 use crate::synth::body::refusals;
 use crate::synth::body::remeshed::Remeshed;
+use crate::synth::body::threads::{GrownThreads, ThreadGrowth};
 use crate::synth::body::threshold::Levelled;
 use crate::synth::error::{GrowError, LayerError};
 use crate::synth::marks::grow::convergence::{ConvergenceMonitor, Verdict};
 use crate::synth::options::Options;
+use crate::synth::report::{PointsReport, ThreadReport};
 use crate::synth::watch::Stage;
 
 /// Vertex updates between two looks at whether the growth was cancelled: about 20 ms of one core.
@@ -62,6 +64,8 @@ enum State {
     Begin(Box<Model>, Box<BodyPlan>, Box<Surface>),
     /// It grows.
     Grow(Box<Model>, Box<Growing>),
+    /// Threads of pairs grow.
+    Threads(Box<Model>, Box<ThreadGrowth>),
     /// It has grown.
     Level(Box<Model>, Box<Growing>, bool),
     /// All is done.
@@ -94,8 +98,22 @@ struct Formed {
     /// How much of a mark each vertex shows.
     marks: Vec<f32>,
     laid: usize,
+    points: Option<PointsReport>,
+    threads: Vec<ThreadReport>,
     steps: u64,
     settled: bool,
+}
+
+impl Formed {
+    /// Marks that have formed by themselves and settled.
+    fn new(plan: BodyPlan, marks: Vec<f32>, steps: u64) -> Self {
+        Self { plan, marks, laid: 0, points: None, threads: Vec::new(), steps, settled: true }
+    }
+
+    fn of_threads(grown: GrownThreads) -> Self {
+        let GrownThreads { plan, marks, reports, steps } = grown;
+        Self { threads: reports, ..Self::new(plan, marks, steps) }
+    }
 }
 
 impl<'a> BodyGrowth<'a> {
@@ -147,9 +165,17 @@ impl<'a> BodyGrowth<'a> {
             }
             State::Begin(model, plan, coarse) => self.begin_layer(model, *plan, &coarse)?,
             State::Grow(model, growing) => grow(model, growing, budget),
+            State::Threads(model, mut threads) => {
+                if !threads.advance(self.document, &model.placed, budget)? {
+                    return Ok(State::Threads(model, threads));
+                }
+                let grown = threads.complete().ok_or(LayerError::NoPattern)?;
+                self.next_layer(model, Formed::of_threads(grown))?
+            }
             State::Level(model, growing, settled) => {
                 let Growing { plan, growth, laid, .. } = *growing;
-                let formed = Formed { plan, marks: growth.marks(), laid, steps: growth.steps(), settled };
+                let (marks, steps) = (growth.marks(), growth.steps());
+                let formed = Formed { laid, settled, ..Formed::new(plan, marks, steps) };
                 self.next_layer(model, formed)?
             }
             ended @ (State::Done(_) | State::Failed) => ended,
@@ -159,7 +185,7 @@ impl<'a> BodyGrowth<'a> {
     /// Reads the model, and what each layer asks for.
     fn read(&self) -> Result<Model, LayerError> {
         let Options { source, training, .. } = self.options;
-        let placed = Placed::read(self.body, self.model, source)?;
+        let placed = Placed::read(self.body, self.model, source)?.with_coordinates(self.document, source)?;
         let asked = asked_of_all(self.document, self.body, &placed, &self.options)?;
         let cells =
             asked.iter().map(|asked| plan::cell(self.document, asked, training)).collect::<Result<_, _>>()?;
@@ -183,11 +209,16 @@ impl<'a> BodyGrowth<'a> {
         mut plan: BodyPlan,
         coarse: &Surface,
     ) -> Result<State, LayerError> {
-        let Initial { mut concentrations, laid } =
+        if let Some(form) = model.asked[model.layers.len()].threads.clone() {
+            let corrects = self.corrects();
+            let threads = ThreadGrowth::begin(self.document, &model.placed, plan, form, corrects)?;
+            return Ok(State::Threads(model, Box::new(threads)));
+        }
+        let Initial { mut concentrations, laid, points } =
             begin(self.document, &model.placed, &mut plan, coarse, &model.layers)?;
         if plan.choice.areas.is_some() {
             let marks = concentrations.swap_remove(0);
-            return self.next_layer(model, Formed { plan, marks, laid, steps: 0, settled: true });
+            return self.next_layer(model, Formed { laid, points, ..Formed::new(plan, marks, 0) });
         }
         let system = plan.choice.system;
         let irregular = self.document.layers[plan.layer].options.irregular;
@@ -213,7 +244,7 @@ impl<'a> BodyGrowth<'a> {
 
     /// Makes the pattern of what has formed.
     fn level(&self, formed: Formed) -> Result<BodyLayer, LayerError> {
-        let Formed { mut plan, mut marks, laid, steps, settled } = formed;
+        let Formed { mut plan, mut marks, laid, points, threads, steps, settled } = formed;
         if marks.iter().any(|mark| !mark.is_finite()) {
             return Err(LayerError::NoPattern);
         }
@@ -222,7 +253,9 @@ impl<'a> BodyGrowth<'a> {
             let width = widths(&plan.wanted).into_iter().fold(f64::INFINITY, f64::min);
             marks = curves.levelled(plan.surface(), &marks, width);
         }
-        let corrects = self.options.refine.unwrap_or(self.document.growth.refine);
+        // The share of points and the widths of a weave are right already.
+        let is_done = points.is_some() || threads.len() > 1;
+        let corrects = self.corrects() && !is_done;
         let mut levelled = Levelled::new(&plan, &marks, corrects);
         if let (RaggedChoice::Given(sigma), None) =
             (self.document.layers[plan.layer].options.ragged, plan.choice.areas)
@@ -234,7 +267,12 @@ impl<'a> BodyGrowth<'a> {
         if measured.spots.is_empty() && measured.stripes.iter().all(|stripes| stripes.contour == 0.0) {
             return Err(LayerError::Blank { what: "nothing", advice: LayerError::MARKS });
         }
-        Ok(BodyLayer { plan, levelled, laid, steps, settled })
+        Ok(BodyLayer { plan, levelled, laid, points, threads, steps, settled })
+    }
+
+    /// Whether levels are corrected.
+    fn corrects(&self) -> bool {
+        self.options.refine.unwrap_or(self.document.growth.refine)
     }
 
     /// What is being done, and the share of it that is done, 0..1.
@@ -257,6 +295,7 @@ impl<'a> BodyGrowth<'a> {
                 let share = (growing.growth.steps() as f64 / expected).min(1.0);
                 within(model, Stage::Grow, 0.5 + 0.45 * share)
             }
+            State::Threads(model, threads) => within(model, Stage::Grow, 0.5 + 0.45 * threads.share()),
             State::Level(model, ..) => within(model, Stage::Refine, 0.95),
             State::Done(_) | State::Failed => (Stage::Refine, 1.0),
         }
@@ -300,6 +339,7 @@ impl State {
             Self::Read | Self::Done(_) | Self::Failed => 0,
             Self::Check(model) | Self::Remesh(model, _) | Self::Plan(model, _) => model.layers.len(),
             Self::Begin(model, ..) | Self::Grow(model, _) | Self::Level(model, ..) => model.layers.len(),
+            Self::Threads(model, _) => model.layers.len(),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::synth::body::plan::BodyPlan;
 use crate::synth::body::threshold::{Levelled, Measured};
+use crate::synth::report::{PointsReport, ThreadReport};
 
 /// A layer that has grown on a model.
 pub struct BodyLayer {
@@ -11,6 +12,10 @@ pub struct BodyLayer {
     pub levelled: Levelled,
     /// How many spots were laid; 0 of stripes.
     pub laid: usize,
+    /// The report of a field of points; `None` of other marks.
+    pub points: Option<PointsReport>,
+    /// The threads of each direction; none of other marks.
+    pub threads: Vec<ThreadReport>,
     /// Steps taken.
     pub steps: u64,
     /// Whether the pattern settled within its time.

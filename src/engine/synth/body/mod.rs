@@ -28,18 +28,22 @@ mod grown;
 mod growth;
 mod laid;
 mod layer;
+mod maps;
 mod models;
 mod needs;
-mod noise_maps;
 mod output;
 mod placed;
 mod plan;
+mod point_form;
 mod ragged;
 mod refusals;
 mod remeshed;
 mod report;
 mod shown;
 mod texture;
+mod texture_coordinates;
+mod thread_form;
+mod threads;
 mod threshold;
 mod varied;
 mod wanted;
@@ -61,5 +65,7 @@ pub use texture::{LaidOut, NoTexture, Texture};
 mod bad_models;
 #[cfg(test)]
 mod kinds_tests;
+#[cfg(test)]
+mod maps_tests;
 #[cfg(test)]
 mod tests;

@@ -10,6 +10,7 @@ use crate::synth::body::beneath::carried;
 use crate::synth::body::coat::Coat;
 use crate::synth::body::grown::GrownBody;
 use crate::synth::body::layer::BodyLayer;
+use crate::synth::body::maps::colours;
 
 /// The light of parts that nothing grows on.
 pub const BARE: [f32; 3] = [0.55; 3];
@@ -107,11 +108,21 @@ impl GrownBody {
         self.layers.iter().map(of_layer).collect()
     }
 
-    /// The patterns on a mesh so fine that edges of spots between its vertices look smooth.
+    /// The patterns of all layers on the mesh of the finest, and then the numbers of each map of colours, by vertex: what colours need.
+    #[must_use]
+    pub fn painted(&self) -> Vec<Vec<f32>> {
+        let surface = self.finest().plan.surface();
+        let coordinates = self.placed.coordinates.as_ref();
+        let layers = 0..self.document.layers.len();
+        let maps = layers.filter_map(|layer| colours(&self.document, layer, surface, coordinates));
+        self.patterns().into_iter().chain(maps).collect()
+    }
+
+    /// What colours need, on a mesh so fine that edges of spots between its vertices look smooth.
     #[must_use]
     pub fn fine(&self) -> Fine {
         let mesh = self.finest().plan.surface().mesh.clone();
-        let fine = Fine { normals: normals(&mesh), patterns: self.patterns(), mesh };
+        let fine = Fine { normals: normals(&mesh), patterns: self.painted(), mesh };
         if fine.mesh.faces.len() > MOST { fine } else { fine.split() }
     }
 

@@ -1,7 +1,8 @@
 //! The model of a document in px of the sketch, prepared for growing.
 
-use crate::document::{Body, BodySource, DocumentError, Problem};
+use crate::document::{Body, BodySource, Document, DocumentError, Problem};
 use crate::surface::{Mesh, Model, ModelError, Repairs, built_in, prepare, read_model};
+use crate::synth::body::texture_coordinates::TextureCoordinates;
 
 /// A model in px of the sketch.
 pub struct Placed {
@@ -13,6 +14,8 @@ pub struct Placed {
     pub repairs: Repairs,
     /// From the coordinates of the file to px.
     pub scale: Scale,
+    /// Its texture coordinates, where maps of the document need them.
+    pub coordinates: Option<TextureCoordinates>,
 }
 
 /// Coordinates of a file ↔ px of the sketch about the middle of the model.
@@ -64,7 +67,17 @@ impl Placed {
         let positions = whole.positions.iter().map(|at| scale.to_px(*at)).collect();
         let (mesh, repairs) = prepare(&Mesh { positions, faces: whole.faces })
             .map_err(|error| refused(error.to_string(), "a model with triangles that have an area"))?;
-        Ok(Self { model, mesh, repairs, scale })
+        Ok(Self { model, mesh, repairs, scale, coordinates: None })
+    }
+
+    /// This model with the texture coordinates that the maps of a document need.
+    ///
+    /// # Errors
+    /// It has none: the place in the document, and what is allowed.
+    pub fn with_coordinates(self, document: &Document, source: &str) -> Result<Self, DocumentError> {
+        let to_px = |at: [f64; 3]| self.scale.to_px(at);
+        let coordinates = TextureCoordinates::needed(document, &self.model, &to_px, source)?;
+        Ok(Self { coordinates, ..self })
     }
 
     /// What was left out of the file, understood otherwise, or mended: a sentence each.

@@ -3,18 +3,19 @@
 use rayon::prelude::*;
 
 use crate::attributes::{Attributes, Polarity, Stripes};
-use crate::document::{Body, Document};
+use crate::document::{Body, Document, Layer, Towards};
 use crate::learn::Answer;
 use crate::rd::{ParameterField, Parameters};
 use crate::surface::{Directions, Surface, directions};
 use crate::synth::body::anchors::{Anchor, Origin, anchors};
 use crate::synth::body::answer_table::{AnswerTable, asked_on, parameters};
+use crate::synth::body::area_form::AreaForm;
 use crate::synth::body::asked::Asked;
 use crate::synth::body::choice::Choice;
 use crate::synth::body::clearance::with_clearance;
 use crate::synth::body::curves::{Curves, Request, widths};
 use crate::synth::body::given_directions::given;
-use crate::synth::body::noise_maps::NoiseMaps;
+use crate::synth::body::maps::BodyMaps;
 use crate::synth::body::placed::Placed;
 use crate::synth::body::wanted::{Influence, aspect, turned, wanted};
 use crate::synth::error::LayerError;
@@ -61,6 +62,12 @@ pub struct BodyPlan {
     pub curves: Option<Curves>,
 }
 
+/// Whether the points of a layer are shifted along a direction.
+fn shifts(layer: &Layer) -> bool {
+    let points = layer.point_field();
+    points.is_some_and(|points| points.shift > 0.0 && matches!(points.towards, Towards::Angle(_)))
+}
+
 /// px a cell that suits what is asked for.
 ///
 /// # Errors
@@ -68,8 +75,12 @@ pub struct BodyPlan {
 pub fn cell(document: &Document, asked: &Asked, training: &Training) -> Result<f64, LayerError> {
     let polarity = asked.choice.polarity;
     let mut finest = f64::INFINITY;
-    let maps = NoiseMaps::new(document, asked.layer, asked.is_free);
+    let maps = BodyMaps::new(document, asked.layer, asked.is_free);
     for wanted in asked.all().flat_map(|wanted| maps.extremes(*wanted)) {
+        if let Some(form) = &asked.threads {
+            finest = finest.min(form.cell(&wanted));
+            continue;
+        }
         let lines = polarity.lines(&wanted);
         // On cells of 1 px the parameters say how many cells the system keeps marks apart by itself, and a mark covers.
         let own = parameters(&asked_on(training, &asked.choice, &lines, 1.0)?, 0.0);
@@ -113,14 +124,15 @@ impl BodyPlan {
         let Choice { system, polarity, .. } = asked.choice;
         let anchors = anchors(asked, document, body, &surface, &placed.scale);
         let vertices = surface.mesh.positions.len();
-        let has_directions = anchors.iter().any(|anchor| aspect(&anchor.wanted) < ROUND);
         let layer = &document.layers[asked.layer];
+        let has_directions = anchors.iter().any(|anchor| aspect(&anchor.wanted) < ROUND) || shifts(layer);
         let directions =
             has_directions.then(|| directions(&surface, &given(body, layer, asked, &surface, placed), ALONG));
         let anchors = in_the_field(anchors, directions.as_ref(), &surface);
         let influence = Influence::new(&surface, &anchors);
         let wanted = wanted(&anchors, &influence, vertices);
-        let mut wanted = NoiseMaps::new(document, asked.layer, asked.is_free).varied(&surface, wanted);
+        let maps = BodyMaps::new(document, asked.layer, asked.is_free);
+        let mut wanted = maps.varied(&surface, wanted, placed.coordinates.as_ref());
         if let Some(field) = &directions {
             for (vertex, wanted) in wanted.iter_mut().enumerate() {
                 *wanted = turned(*wanted, wanted.angle() + field.degrees[vertex]);
@@ -147,7 +159,11 @@ impl BodyPlan {
         let table = AnswerTable::new(training, &asked.choice, &all, cell)?;
         let own = of_anchors.iter().map(|wanted| table.at(wanted).0).collect();
         let of_vertices: Vec<(Parameters, f32)> = lines.par_iter().map(|lines| table.at(lines)).collect();
-        let (mut parameters, levels): (Vec<Parameters>, Vec<f32>) = of_vertices.into_iter().unzip();
+        let (mut parameters, mut levels): (Vec<Parameters>, Vec<f32>) = of_vertices.into_iter().unzip();
+        if let Some(AreaForm::Points(_)) = asked.choice.areas {
+            // The share above the edge is sought when the field is there.
+            levels.fill(0.5);
+        }
         if let (Some(field), true) = (&directions, system.is_striped()) {
             // Where directions turn about a singularity, nothing pulls stripes along them.
             for (p, coherence) in parameters.iter_mut().zip(&field.coherence) {

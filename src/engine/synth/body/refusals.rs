@@ -1,9 +1,12 @@
 //! What a document may not ask for on a model.
 
+use crate::attributes::system::Family;
 use crate::document::{
-    After, AreaKind, Body, BodyMark, Document, DocumentError, Kind, Layer, LayerOptions, MapSource, Problem,
-    Seeding, Stroke, SystemChoice,
+    After, AreaKind, Body, BodyMark, Document, DocumentError, Kind, Labels, Layer, LayerOptions, MapKey,
+    Over, Points, Problem, Progression, Seeding, Stroke, SystemChoice, Towards,
 };
+use crate::points::fields::POINTS;
+use crate::rd::pairs::PairKind;
 use crate::synth::body::choice::{grows, systems};
 use crate::synth::drawn::maps;
 
@@ -23,11 +26,35 @@ pub fn check<'a>(document: &'a Document, source: &str) -> Result<&'a Body, Docum
 #[must_use]
 pub fn system(layer: &Layer, index: usize) -> Problem {
     let areas = AreaKind::ALL.into_iter().map(|kind| kind.description().name);
-    let names: Vec<&str> = systems().map(|system| system.description().name).chain(areas).collect();
+    let others = [POINTS.name, PairKind::Weave.description().name, PairKind::Stripes.description().name];
+    let names: Vec<&str> =
+        systems().map(|system| system.description().name).chain(areas).chain(others).collect();
     let found = format!("{:?} on a model", layer.wanted_system().name());
     let allowed =
         format!("auto, {}, for marks that they grow; others do not grow on a model yet", names.join(", "));
     Problem::new(format!("layers[{index}].system"), found, allowed)
+}
+
+/// Whether threads of a kind of pairs grow on models.
+fn is_thread(system: SystemChoice) -> bool {
+    matches!(system.pairs(), Some(PairKind::Weave | PairKind::Stripes))
+}
+
+/// What of threads on a model does not grow: the key, the value, what is allowed.
+fn threads_refused(layer: &Layer) -> Option<(&'static str, &'static str, &'static str)> {
+    if layer.after != After::Between {
+        return Some(("after", "threads round or inside marks on a model", "between"));
+    }
+    if layer.system.pairs() == Some(PairKind::Weave) && !layer.on_model.is_empty() {
+        let allowed = "lines that cross on the canvas: a path on the model has one direction; strokes and pins of the model turn both";
+        return Some(("strokes", "a weave of paths on the model", allowed));
+    }
+    let is_over = layer.options.over != Over::Level;
+    is_over.then_some((
+        "options.over",
+        "threads over others on a model",
+        "level: where threads fork and end they cannot be counted",
+    ))
 }
 
 /// What of layer `index` does not grow on a model.
@@ -38,7 +65,12 @@ fn refused(layer: &Layer, index: usize) -> Option<Problem> {
     };
     let is_known = match layer.wanted_system() {
         SystemChoice::Auto | SystemChoice::Stripes => true,
-        given => given.areas().is_some() || given.system().is_some_and(grows),
+        given => {
+            given.areas().is_some()
+                || given.kind() == Some(Family::Points)
+                || given.system().is_some_and(grows)
+                || is_thread(given)
+        }
     };
     if !is_known {
         return Some(system(layer, index));
@@ -66,14 +98,18 @@ fn refused(layer: &Layer, index: usize) -> Option<Problem> {
         ("options.irregular", irregular != 0.0 && !takes_noise),
         ("options.broken", broken != 0.0 && layer.after != After::Around),
         ("tone", layer.tone.is_some()),
-        ("points", layer.points.is_some()),
+        ("points", layer.points.is_some() && layer.point_field().is_none()),
     ];
-    for (key, map) in layer.maps.iter() {
-        let is_known = maps::modulated(key).is_some() && matches!(map.source, MapSource::Noise { .. });
-        if !is_known {
+    let of_points = layer.point_field().and_then(|points| points_refused(&points, layer));
+    let of_threads = threads_refused(layer).filter(|_| is_thread(layer.system));
+    if let Some((key, found, allowed)) = of_points.or(of_threads) {
+        return at(key, found, allowed);
+    }
+    for (key, _) in layer.maps.iter() {
+        if maps::modulated(key).is_none() && key != MapKey::Colour {
             let name = key.name();
             let allowed =
-                "noise for area, spacing, direction, aspect or duty; others do not vary on a model yet";
+                "maps of area, spacing, direction, aspect, duty or colour: Turing's growth is of canvases";
             return at(&format!("maps.{name}"), &format!("this map of {name} on a model"), allowed);
         }
     }
@@ -83,6 +119,29 @@ fn refused(layer: &Layer, index: usize) -> Option<Problem> {
     let (key, _) = options.into_iter().find(|(_, given)| *given)?;
     let name = key.trim_start_matches("options.");
     at(key, &format!("\"{name}\" on a model"), NEW)
+}
+
+/// What of a field of points does not grow on a model: the key, the value, what is allowed.
+fn points_refused(points: &Points, layer: &Layer) -> Option<(&'static str, &'static str, &'static str)> {
+    const PLACE: &str = "across or down: a model has no middle, and a picture of the canvas no place on it";
+    if layer.after != After::Between {
+        return Some(("after", "a field of points round or inside marks on a model", "between"));
+    }
+    if matches!(points.labels, Labels::Image { .. }) {
+        let allowed = "other labels: a picture of the canvas has no place on a model";
+        return Some(("points.labels.kind", "\"image\" on a model", allowed));
+    }
+    match points.progression {
+        Progression::Outward => return Some(("points.progression", "\"outward\" on a model", PLACE)),
+        Progression::Image(_) => return Some(("points.progression", "a picture on a model", PLACE)),
+        Progression::Across | Progression::Down => {}
+    }
+    if points.shift > 0.0 && points.towards == Towards::Outward {
+        let allowed = "random or an angle: a model has no middle";
+        return Some(("points.towards", "\"outward\" on a model", allowed));
+    }
+    let only = layer.maps.iter().all(|(key, _)| matches!(key, MapKey::Spacing | MapKey::Colour));
+    (!only).then_some(("maps", "maps of a field of points on a model", "maps of its spacing or colour"))
 }
 
 /// What of the document means nothing on a model, and is not refused.

@@ -13,6 +13,8 @@ use crate::synth::body::grown::GrownBody;
 use crate::synth::body::layer::BodyLayer;
 use crate::synth::body::placed::Scale;
 use crate::synth::body::refusals;
+use crate::synth::points::report::other_share;
+use crate::synth::report::{PointsReport, ThreadReport};
 
 /// The report of a growth on a model. Serialised, it is the JSON of `grow --report`.
 #[derive(Clone, Debug, Serialize)]
@@ -63,7 +65,13 @@ pub struct BodyLayerReport {
     /// Spots that have grown; none of stripes.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub spots: Option<usize>,
-    /// One a pin or a mark on the model; one of the whole sketch where there are neither.
+    /// A field of points; none of marks.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub points: Option<PointsReport>,
+    /// The threads of each direction of a weave; none of other marks.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub threads: Vec<ThreadReport>,
+    /// One a pin or a mark on the model; one of the whole sketch where there are neither; none of a field of points and of a weave.
     pub regions: Vec<AnchorReport>,
     /// Places, in the coordinates of the file, around which directions turn by half a turn or more: spots are round there.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -132,7 +140,7 @@ impl GrownBody {
 
 impl BodyLayer {
     fn report(&self, document: &Document, scale: &Scale) -> BodyLayerReport {
-        let is_striped = self.plan.choice.system.is_striped();
+        let counts = !self.plan.choice.system.is_striped() && self.points.is_none();
         let surface = self.plan.surface();
         let singularities: Vec<[f64; 3]> = self
             .plan
@@ -141,7 +149,9 @@ impl BodyLayer {
             .flat_map(|field| &field.singularities)
             .map(|one| scale.to_file(surface.position(one.place)))
             .collect();
-        let regions = of_anchors(self).into_iter().enumerate();
+        let is_weave = self.threads.len() > 1;
+        let of_marks = if self.points.is_some() || is_weave { Vec::new() } else { of_anchors(self) };
+        let regions = of_marks.into_iter().enumerate();
         BodyLayerReport {
             name: document.layers[self.plan.layer].name.clone(),
             system: self.plan.choice.description().name,
@@ -149,8 +159,10 @@ impl BodyLayer {
             vertices: surface.mesh.positions.len(),
             steps: self.steps,
             settled: self.settled,
-            laid: (!is_striped).then_some(self.laid),
-            spots: (!is_striped).then(|| self.spots()),
+            laid: counts.then_some(self.laid),
+            spots: counts.then(|| self.spots()),
+            points: self.points.clone(),
+            threads: if is_weave { self.threads.clone() } else { Vec::new() },
             regions: regions.map(|(index, got)| self.anchor_report(index, got)).collect(),
             notes: self.notes(singularities.len()),
             singularities,
@@ -159,8 +171,9 @@ impl BodyLayer {
 
     fn notes(&self, singularities: usize) -> Vec<String> {
         let mut notes = self.plan.notes.clone();
+        notes.extend(self.points.iter().filter_map(|points| other_share(&points.share, "surface")));
         notes.extend(self.plan.curves.iter().flat_map(|curves| curves.remarks.clone()));
-        if singularities > 0 && self.plan.curves.is_none() {
+        if singularities > 0 && self.plan.curves.is_none() && self.points.is_none() {
             let places = if singularities == 1 { "place" } else { "places" };
             let there =
                 if self.plan.choice.system.is_striped() { "stripes fork or end" } else { "spots are round" };

@@ -34,7 +34,7 @@ impl Shown {
         let positions = surface.mesh.positions.iter().map(|at| upright(up, *at)).collect();
         let mesh = Mesh { positions, faces: surface.mesh.faces.clone() };
         let bare = grown.bare(&|at| upright(up, grown.placed.scale.to_px(at)));
-        let (coat, patterns) = (Coat::new(&grown.document), grown.patterns());
+        let (coat, patterns) = (Coat::new(&grown.document), grown.painted());
         let places: Vec<[f64; 3]> =
             mesh.positions.iter().chain(bare.iter().flat_map(|bare| &bare.mesh.positions)).copied().collect();
         let px = length_of_px(view, &places);
@@ -64,7 +64,7 @@ impl Shown {
     /// The colours of such pictures, for formats with few.
     #[must_use]
     pub fn palette(&self, view: &View) -> Vec<[u8; 3]> {
-        palette(&self.coat, self.patterns.len(), view.background.unwrap_or([0.76; 3]))
+        palette(&self.coat, view.background.unwrap_or([0.76; 3]))
     }
 }
 
@@ -83,12 +83,13 @@ impl GrownBody {
 }
 
 /// Colours under many lights, and the ground in shadows: at most 255.
-fn palette(coat: &Coat, layers: usize, background: [f32; 3]) -> Vec<[u8; 3]> {
+fn palette(coat: &Coat, background: [f32; 3]) -> Vec<[u8; 3]> {
+    let layers = coat.layers();
     let code = |light: f32| (255.0 * srgb_from_linear(f64::from(light.clamp(0.0, 1.0)))).round() as u8;
     let mut colours = Vec::new();
     let shades = (SHADES[0] / layers.max(1)).max(2);
     for shade in 0..layers * shades {
-        let mut values = vec![0.0; layers];
+        let mut values = coat.unvaried();
         values[shade / shades] = (shade % shades) as f32 / (shades - 1) as f32;
         let colour = coat.light(&values);
         for step in 0..SHADES[1] {

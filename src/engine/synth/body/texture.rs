@@ -109,7 +109,7 @@ impl GrownBody {
     #[must_use]
     pub fn texture<'a>(&'a self, atlas: &'a Atlas, size: [usize; 2], surface: &Surface) -> Texture<'a> {
         let grown = self.finest().plan.surface();
-        let patterns = self.patterns();
+        let patterns = self.painted();
         let raised = self.raised();
         let mut shared = chosen(&patterns, &raised);
         shares(&mut shared);

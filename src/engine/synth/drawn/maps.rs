@@ -97,14 +97,20 @@ impl ColourMap {
     pub fn place(&self, value: f32, point: [f64; 2]) -> f32 {
         let corners = self.nodes.corners(point);
         let by: f64 = corners.iter().map(|&(node, weight)| weight * self.values[node]).sum();
-        let (by, from_edge) = (by as f32, value.clamp(0.0, 1.0) - EDGE);
-        let factor = match self.multiplies {
-            true => by,
-            false if from_edge < 0.0 => 1.0 - 2.0 * by,
-            false => 1.0 + 2.0 * by,
-        };
-        (EDGE + factor * from_edge).clamp(0.0, 1.0)
+        place_by(value, by as f32, self.multiplies)
     }
+}
+
+/// The pattern `value` as a place in the gradient, 0..1, where a map of colours has the number `by`: see [`ColourMap::place`].
+#[must_use]
+pub fn place_by(value: f32, by: f32, multiplies: bool) -> f32 {
+    let from_edge = value.clamp(0.0, 1.0) - EDGE;
+    let factor = match multiplies {
+        true => by,
+        false if from_edge < 0.0 => 1.0 - 2.0 * by,
+        false => 1.0 + 2.0 * by,
+    };
+    (EDGE + factor * from_edge).clamp(0.0, 1.0)
 }
 
 /// The parameter G at each cell of `grid` by the map of layer `index`, if it has one: the map replaces the value `usual`, or

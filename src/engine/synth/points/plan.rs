@@ -384,13 +384,14 @@ impl FieldPlan {
     }
 }
 
-fn drawn_distance(wanted: &Attributes) -> f64 {
+/// The distance of points that drawn ellipses ask for, px.
+pub(in crate::synth) fn drawn_distance(wanted: &Attributes) -> f64 {
     let Attributes::Spots(spots) = wanted else { unreachable!("made of ellipses") };
     spots.spacing.unwrap_or_else(|| ALONE * (spots.area / std::f64::consts::PI).sqrt())
 }
 
 /// The share that these ellipses cover.
-fn drawn_share(wanted: &Attributes) -> f64 {
+pub(in crate::synth) fn drawn_share(wanted: &Attributes) -> f64 {
     let Attributes::Spots(Spots { area, .. }) = wanted else { unreachable!("made of ellipses") };
     let spacing = drawn_distance(wanted);
     (area / (LATTICE * spacing * spacing)).clamp(POINT_SHARE.low, POINT_SHARE.high)

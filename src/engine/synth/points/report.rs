@@ -22,12 +22,17 @@ pub fn points_report(layer: &GrownPoints) -> PointsReport {
 #[must_use]
 pub fn notes(layer: &GrownPoints) -> Vec<String> {
     let mut notes = layer.plan.notes.clone();
-    if let Some(asked) = layer.plan.share.filter(|asked| (asked - layer.share).abs() > OFF) {
-        notes.push(format!(
-            "{:.1} % of the canvas are above the edge, not {:.1} %: its values leave no level between; take smaller distances or another share",
-            100.0 * layer.share,
-            100.0 * asked
-        ));
-    }
+    notes.extend(other_share(&PointsShare { asked: layer.plan.share, got: layer.share }, "canvas"));
     notes
+}
+
+/// A note if the share of a canvas or of a surface, named by `place`, is clearly not the one that was asked for.
+#[must_use]
+pub fn other_share(share: &PointsShare, place: &str) -> Option<String> {
+    let asked = share.asked.filter(|asked| (asked - share.got).abs() > OFF)?;
+    Some(format!(
+        "{:.1} % of the {place} are above the edge, not {:.1} %: its values leave no level between; take smaller distances or another share",
+        100.0 * share.got,
+        100.0 * asked
+    ))
 }

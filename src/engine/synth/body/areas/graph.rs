@@ -157,6 +157,11 @@ impl PointGraph for SurfaceGraph<'_> {
         let [ahead, aside] = axis.displacement;
         [x + cos * ahead - sin * aside, y + sin * ahead + cos * aside]
     }
+
+    fn way(&self, from: usize, to: usize) -> [f64; 2] {
+        let unit = self.surface.unit();
+        self.surface.displacement(self.places[from], self.places[to]).map(|part| part * unit)
+    }
 }
 
 #[cfg(test)]

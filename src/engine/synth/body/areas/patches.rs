@@ -5,7 +5,7 @@ use rand_pcg::Pcg64Mcg;
 
 use super::discs::poisson_discs;
 use super::graph::SurfaceGraph;
-use super::interpolation::interpolate;
+use super::interpolation::{Weighing, interpolate};
 use crate::grid::Domain;
 use crate::points::patches::{Wanted, axis_length, claimed, fringe, room, varied};
 use crate::surface::SurfacePoint;
@@ -46,7 +46,7 @@ pub fn grown(plan: &BodyPlan, form: &PatchForm, centers: &[SurfacePoint], seed: 
     let taken: Vec<bool> = (0..graph.places.len()).map(is_taken).collect();
     let labelled = claimed(&graph, &asked, form.detail, noise, &taken);
     let most_ragged = asked.iter().map(|wanted| wanted.raggedness).fold(1.0, f64::max);
-    let mut values = interpolate(&graph, &labelled.values, axis_length(most_ragged));
+    let mut values = interpolate(&graph, &labelled.values, &Weighing::smooth(axis_length(most_ragged)));
     values.iter_mut().for_each(|value| *value = value.clamp(0.0, 1.0));
     values
 }

@@ -16,6 +16,8 @@ use crate::synth::profile::{Section, during};
 
 pub use growing::PairsGrowth;
 pub(in crate::synth::pairs) use growing::seen;
+pub(in crate::synth) use noise::BESIDE;
+pub(in crate::synth) use seed_lines::seed_line;
 
 /// Time from the start, and after a correction, in 1/b. After 8 and 6, the errors of the widths of 40 random weaves did not change;
 /// after 20 and 10 the widths of five differed by less than a hundredth.
@@ -30,7 +32,8 @@ pub fn whole_time(kind: PairKind) -> f64 {
 
 /// Largest number of corrections by growing again. For mazes and stucco only the threshold is corrected. Stripes with tips begin
 /// from noise each time.
-fn most_corrections(kind: PairKind) -> usize {
+#[must_use]
+pub(in crate::synth) fn most_corrections(kind: PairKind) -> usize {
     match kind {
         PairKind::Weave => SAME_WIDTH.len(),
         PairKind::Stripes => 1,
@@ -39,7 +42,8 @@ fn most_corrections(kind: PairKind) -> usize {
 }
 
 /// Times of the first round and of those after it, in 1/b.
-fn times(kind: PairKind) -> [f64; 2] {
+#[must_use]
+pub(in crate::synth) fn times(kind: PairKind) -> [f64; 2] {
     match kind {
         PairKind::Weave | PairKind::Maze => TIMES,
         PairKind::Stripes | PairKind::Stucco => [FROM_NOISE; 2],
@@ -145,11 +149,23 @@ fn level_of_width(plan: &PairPlan, shown: &Field) -> f32 {
 /// Returns whether any error is large enough.
 fn correct(plan: &PairPlan, measured: &[StripeErrors], factors: &mut [f64], before: usize) -> bool {
     let stripes = plan.kind() == PairKind::Stripes;
-    let same = if stripes { SAME_PERIOD } else { SAME_WIDTH[before] };
+    let error = |threads: &StripeErrors| if stripes { threads.wavelength } else { threads.width };
+    let errors: Vec<Option<f64>> = measured.iter().map(error).collect();
+    corrected(plan.kind(), &errors, factors, before)
+}
+
+/// Corrects the `factors` by these errors of widths, or of the periods of stripes, after `before` earlier corrections. Returns whether any
+/// error is large enough.
+pub(in crate::synth) fn corrected(
+    kind: PairKind,
+    errors: &[Option<f64>],
+    factors: &mut [f64],
+    before: usize,
+) -> bool {
+    let same = if kind == PairKind::Stripes { SAME_PERIOD } else { SAME_WIDTH[before] };
     let mut differs = false;
-    for (threads, factor) in measured.iter().zip(factors) {
-        let error = if stripes { threads.wavelength } else { threads.width }.unwrap_or(0.0);
-        let correction = (1.0 / (1.0 + error)).clamp(CORRECTED[0], CORRECTED[1]);
+    for (error, factor) in errors.iter().zip(factors) {
+        let correction = (1.0 / (1.0 + error.unwrap_or(0.0))).clamp(CORRECTED[0], CORRECTED[1]);
         differs |= (correction - 1.0).abs() > same;
         *factor *= correction;
     }

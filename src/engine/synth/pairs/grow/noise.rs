@@ -9,7 +9,7 @@ use crate::synth::pairs::grow::nearest_line::{NearestLine, nearest_lines};
 use crate::synth::pairs::plan::PairPlan;
 
 /// Distance from a drawn line at which the noise begins, in periods: if it were closer, the next line would not keep its distance.
-const BESIDE: f64 = 0.5;
+pub const BESIDE: f64 = 0.5;
 
 /// The reaction at each cell, 0..1: white noise; on the drawn lines of pair stripes 1, and beside them 0.
 pub(super) fn noise_around_lines(plan: &PairPlan, seed: u64) -> Vec<f32> {

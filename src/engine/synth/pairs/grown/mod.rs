@@ -5,7 +5,7 @@ mod pattern;
 mod phase;
 
 pub use over::OverUnder;
-pub use pattern::PairPattern;
+pub use pattern::{PairPattern, middle_of_threads};
 pub use phase::ThreadPhase;
 
 use crate::grid::Field;

@@ -38,15 +38,7 @@ impl PairPattern {
     pub fn new(differences: &[Field], levels: &[f32]) -> Self {
         let first = &differences[0];
         let pair = |(field, &level): (&Field, &f32)| {
-            let mut above: Vec<f32> = field.values.iter().copied().filter(|value| *value > level).collect();
-            let middle = (MIDDLE * above.len() as f64) as usize;
-            let peak = if above.is_empty() {
-                level
-            } else {
-                let middle = middle.min(above.len() - 1);
-                *above.select_nth_unstable_by(middle, f32::total_cmp).1
-            };
-            let peak = peak.max(level / HIGHEST).max(f32::MIN_POSITIVE);
+            let peak = middle_of_threads(&field.values, level);
             Pair { surface: Spline::new(field), peak, level: level / peak }
         };
         Self {
@@ -95,6 +87,20 @@ impl PairPattern {
         let cell = [self.extent[0] / width as f64, self.extent[1] / height as f64];
         Field { width, height, cell, edges: self.edges, values: self.rows(0..height, width, height) }
     }
+}
+
+/// The difference that counts as the middle of a thread, of differences whose edges are at `level`.
+#[must_use]
+pub fn middle_of_threads(differences: &[f32], level: f32) -> f32 {
+    let mut above: Vec<f32> = differences.iter().copied().filter(|value| *value > level).collect();
+    let middle = (MIDDLE * above.len() as f64) as usize;
+    let peak = if above.is_empty() {
+        level
+    } else {
+        let middle = middle.min(above.len() - 1);
+        *above.select_nth_unstable_by(middle, f32::total_cmp).1
+    };
+    peak.max(level / HIGHEST).max(f32::MIN_POSITIVE)
 }
 
 impl PatternRows for PairPattern {

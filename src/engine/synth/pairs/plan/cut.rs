@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use crate::grid::Field;
 
 /// The share of a field's lowest values that counts as ground, 0 in the shown field.
-const GROUND: f64 = 0.02;
+pub const GROUND: f64 = 0.02;
 
 /// The values of a field in ascending order.
 pub(super) struct Sorted(Vec<f32>);

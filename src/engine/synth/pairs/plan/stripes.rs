@@ -1,7 +1,7 @@
 //! Plans of pair stripes: one pair that grows from noise, with lines that end in tips.
 
 use super::base_model;
-use crate::rd::pairs::{PairModel, PairParameterField, Threads};
+use crate::rd::pairs::{PairModel, Threads};
 
 /// e: 2 as for Witkin and Kass's zebra. The longer the blurs, the straighter the lines and the fewer their tips.
 const ELONGATION: f32 = 2.0;
@@ -23,7 +23,7 @@ pub fn elongation() -> f32 {
     ELONGATION
 }
 
-/// The reaction, for a pair of these `maps`.
-pub fn model(maps: &PairParameterField) -> PairModel {
-    PairModel { softness: 1.0 / (3.0 * maps.least_size()), ..base_model() }
+/// The reaction, for a pair whose smallest size is `least` cells.
+pub fn model(least: f32) -> PairModel {
+    PairModel { softness: 1.0 / (3.0 * least), ..base_model() }
 }

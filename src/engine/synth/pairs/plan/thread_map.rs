@@ -126,6 +126,13 @@ impl ThreadMap {
         self.of(self.map.of_region(layout.place(layout.len() / 2)))
     }
 
+    /// The threads of each region, row by row.
+    #[must_use]
+    pub fn of_regions(&self) -> Vec<Stripes> {
+        let layout = self.map.layout();
+        (0..layout.len()).map(|region| self.of(self.map.of_region(layout.place(region)))).collect()
+    }
+
     /// The mean width that is wanted over the whole canvas, px.
     #[must_use]
     pub fn mean_width(&self, canvas: &Bounds) -> f64 {

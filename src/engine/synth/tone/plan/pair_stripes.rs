@@ -40,5 +40,5 @@ impl TonePlan {
 /// The reaction, for a pair of these `maps`.
 #[must_use]
 pub fn pair_model(maps: &PairParameterField) -> PairModel {
-    stripes::model(maps)
+    stripes::model(maps.least_size())
 }
