@@ -128,8 +128,7 @@ fn stripes(document: &Document, placed: &Placed, plan: &mut BodyPlan) -> Result<
 
 /// The phases of lines, −π..π and 0 along their middles, which follow the `guides` and are so many px apart at each vertex; `None` of
 /// systems that do not begin from phases.
-#[must_use]
-pub fn phases(
+fn phases(
     system: System,
     maps: &mut ParameterField<Surface>,
     wanted: &dyn Fn(usize) -> Option<f64>,

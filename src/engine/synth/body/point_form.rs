@@ -8,6 +8,8 @@ use crate::synth::points::plan::{drawn_distance, drawn_share};
 const VERTICES: [f64; 2] = [4.0, 8.0];
 /// The smallest cells, px: finer details cannot be seen.
 const SMALLEST: f64 = 1.0;
+/// The largest cells, in longest sides of the model, which is seen with them.
+const LARGEST: f64 = 1.0 / 160.0;
 
 /// The form of a field of points.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,6 +20,8 @@ pub struct PointForm {
     pub share: Option<f64>,
     /// Vertices a distance of the points of the first octave.
     vertices: f64,
+    /// The largest cell, px.
+    largest: f64,
 }
 
 impl PointForm {
@@ -32,7 +36,8 @@ impl PointForm {
         let drawn = wanted.iter().map(drawn_share).sum::<f64>() / wanted.len() as f64;
         let share = points.share.or((!wanted.is_empty()).then_some(drawn)).filter(|_| points.has_level());
         let of_octaves = 2f64.powi(points.octaves as i32 - 1);
-        Self { given, share, vertices: of_octaves * VERTICES[usize::from(points.fold)] }
+        let vertices = of_octaves * VERTICES[usize::from(points.fold)];
+        Self { given, share, vertices, largest: LARGEST * longest }
     }
 
     /// What is wanted where nothing is drawn: points at the mean of the given distances.
@@ -60,6 +65,6 @@ impl PointForm {
     #[must_use]
     pub fn cell(&self, wanted: &Spots) -> f64 {
         let least = self.given.map(|[first, last]| first.min(last)).or(wanted.spacing);
-        (least.unwrap_or(f64::INFINITY) / self.vertices).max(SMALLEST)
+        (least.unwrap_or(f64::INFINITY) / self.vertices).min(self.largest).max(SMALLEST)
     }
 }

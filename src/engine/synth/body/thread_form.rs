@@ -9,7 +9,7 @@ use crate::synth::pairs::plan::{PairForm, PairPlan};
 use crate::synth::training::Training;
 
 /// Vertices along the smallest size s of a pair. With fewer than 1.5, edges stick to the grid (`facts.md` T).
-const FINENESS: f64 = 2.0;
+const FINENESS: f64 = 1.75;
 
 /// The threads of a layer on a surface.
 #[derive(Clone, Debug)]

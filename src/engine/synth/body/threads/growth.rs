@@ -1,5 +1,7 @@
 //! The growth of threads on a surface: rounds of the reaction, each with sizes that the one before has corrected.
 
+use rayon::prelude::*;
+
 use crate::attributes::{Attributes, Stripes};
 use crate::document::Document;
 use crate::rd::pairs::{PairField, PairKind};
@@ -193,14 +195,27 @@ fn grown_from(
     }
 }
 
+/// Whether threads are equally wide and far apart everywhere.
+fn is_even(wanted: &[Attributes]) -> bool {
+    let sizes = |wanted: &Attributes| match wanted {
+        Attributes::Stripes(stripes) => [Some(stripes.width), stripes.wavelength],
+        Attributes::Spots(_) => [None; 2],
+    };
+    wanted.iter().all(|other| sizes(other) == sizes(&wanted[0]))
+}
+
 /// Direction and size of the pair of each direction, by vertex.
 fn pairs(plan: &BodyPlan, form: &ThreadForm, factors: &[f64]) -> Vec<PairField> {
     let unit = plan.surface().unit();
-    let of_vertex = |vertex: usize| match &plan.wanted[vertex] {
+    let sizes = |wanted: &Attributes| match wanted {
         Attributes::Stripes(first) => form.sizes(first, factors),
         Attributes::Spots(_) => Vec::new(),
     };
-    let sizes: Vec<Vec<f64>> = (0..plan.wanted.len()).map(of_vertex).collect();
+    let sizes: Vec<Vec<f64>> = if is_even(&plan.wanted) {
+        vec![sizes(&plan.wanted[0]); plan.wanted.len()]
+    } else {
+        plan.wanted.par_iter().map(sizes).collect()
+    };
     let largest = |pair: usize| sizes.iter().filter_map(|own| own.get(pair)).copied().fold(0.0, f64::max);
     let count = form.lines.len();
     let of_all = (0..count).map(largest).fold(0.0, f64::max);

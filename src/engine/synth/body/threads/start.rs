@@ -6,9 +6,9 @@ use rand_pcg::Pcg64Mcg;
 use crate::attributes::{Attributes, Stripes};
 use crate::document::{BodyMark, Document};
 use crate::grid::Domain;
-use crate::rd::ParameterField;
+use crate::rd::{ParameterField, initial_waves};
 use crate::surface::{Surface, SurfacePoint, distances};
-use crate::synth::body::begin::{keeps, phases};
+use crate::synth::body::begin::keeps;
 use crate::synth::body::given_directions::pieces;
 use crate::synth::body::placed::Placed;
 use crate::synth::body::plan::BodyPlan;
@@ -58,10 +58,9 @@ fn lines(document: &Document, plan: &BodyPlan, form: &ThreadForm, periods: &[f64
     let wanted: Vec<Vec<Stripes>> = (0..cells).map(|vertex| directions_at(plan, form, vertex)).collect();
     for (direction, factor) in periods.iter().enumerate() {
         let mut maps = of_direction(plan, form, direction);
-        let period = |vertex: usize| Some(factor * wanted[vertex].get(direction)?.wavelength?);
         maps.parameters.iter_mut().for_each(|p| p.pitch *= *factor as f32);
         let seed = document.layer_seed(plan.layer).wrapping_add(direction as u64);
-        let phases = phases(plan.choice.system, &mut maps, &period, seed, &[])?;
+        let phases = initial_waves(plan.choice.system, &maps, seed, &[])?;
         for (vertex, phase) in phases.iter().enumerate() {
             let Some(own) = wanted[vertex].get(direction) else { continue };
             let from_middle =
