@@ -17,6 +17,10 @@ use crate::synth::import::tone;
 const TWO_DIRECTIONS: f64 = 20.0;
 /// The width of added rings and of an added net ÷ the mean smaller radius of the spots.
 const RING: f64 = 0.45;
+/// The share of the canvas that is dark in a field of points.
+const DARK: f64 = 0.42;
+/// The distance of the points of such a field ÷ the mean radius of the marks: several points of the same value are a blotch.
+const POINTS_A_RADIUS: f64 = 0.6;
 /// The way of the line that stands for them, from the left and the lower border, as a share of the canvas, and its length in widths.
 const RING_LINE: (f64, f64) = (0.05, 4.0);
 
@@ -246,7 +250,7 @@ impl Goal {
         let document = session.document();
         let marks = &session.fitted_marks()[layer];
         if self.adds_a_layer(&session.marks_of(layer)) {
-            return self.missing_above(session, layer);
+            return Self::has_room_above(session, layer).then_some(None);
         }
         if self == Self::Weave && crossing_strokes(marks).is_empty() {
             return Some(Some(["needs lines that cross", "Draw a line across the others."]));
@@ -278,17 +282,10 @@ impl Goal {
         rule.or_else(|| Combination::new(&changed, kind, beneath).broken_rule())
     }
 
-    /// What spots lack for rings or a net around them.
-    fn missing_above(self, session: &Session, layer: usize) -> Option<Option<[&'static str; 2]>> {
+    /// Whether a layer of rings or a net can be added above a layer: nothing else is above it.
+    fn has_room_above(session: &Session, layer: usize) -> bool {
         let layers = &session.document().layers;
-        let above = Layer { after: self.after(), ..Layer::default() };
-        let beneath = as_beneath(&layers[layer], layers[layer].areas(), session.kind(layer));
-        let is_top = layers[layer + 1..].iter().all(Layer::is_blank);
-        if !is_top || layers.len() >= limits::MAX_LAYERS {
-            return None;
-        }
-        let rule = Combination::new(&above, Some(Kind::Line), beneath).broken_rule();
-        Some(rule.map(|rule| ["needs spots", rule.reason]))
+        layers[layer + 1..].iter().all(Layer::is_blank) && layers.len() < limits::MAX_LAYERS
     }
 
     /// Whether it is a layer of its own above these marks: rings around ellipses.
@@ -300,6 +297,13 @@ impl Goal {
     /// Changes `document` so that layer `index`, whose marks are given, becomes this. Gives the layer that is it then.
     pub fn apply(self, document: &mut Document, index: usize, marks: &[Mark]) -> usize {
         if self.adds_a_layer(marks) {
+            // They grow around spots.
+            let beneath = &mut document.layers[index];
+            let kind = Some(Kind::Ellipse);
+            if as_beneath(beneath, beneath.areas(), kind) != Beneath::Grows(Kind::Ellipse) {
+                Self::Spots.set(beneath);
+                tidy(beneath, kind);
+            }
             let stroke = Stroke::Line(ring_line(document.size, marks));
             let layer = Layer { after: self.after(), strokes: vec![stroke], ..Layer::default() };
             document.layers.insert(index + 1, layer);
@@ -316,7 +320,7 @@ impl Goal {
     fn set(self, layer: &mut Layer) {
         layer.after = self.after();
         layer.tone = ball().filter(|_| self == Self::Tone).map(Tone::new);
-        layer.points = (self == Self::Blotches).then(|| Points { axis: 1.5, ..Points::default() });
+        layer.points = (self == Self::Blotches).then(|| blotches(&layer.strokes));
         layer.system = if self == Self::Tone { layer.system } else { self.choice() };
     }
 }
@@ -341,6 +345,16 @@ fn ring_line(size: [u32; 2], marks: &[Mark]) -> Line {
     let [w, h] = size.map(f64::from);
     let from = [share * w, (1.0 - share) * h].map(f64::round);
     Line { from, to: [(from[0] + long * width).round(), from[1]], width }
+}
+
+/// A field of points whose blotches are about as large as the marks.
+fn blotches(strokes: &[Stroke]) -> Points {
+    let ellipses: Vec<_> = strokes.iter().filter_map(|stroke| stroke.mark()?.ellipse()).collect();
+    let radii = ellipses.iter().map(|ellipse| (ellipse.radii[0] * ellipse.radii[1]).sqrt());
+    let mean = radii.sum::<f64>() / ellipses.len().max(1) as f64;
+    let range = limits::POINT_DISTANCE;
+    let distance = (POINTS_A_RADIUS * mean).round().clamp(range.low, range.high);
+    Points { distance: Some([distance; 2]), share: Some(DARK), axis: 1.5, ..Points::default() }
 }
 
 /// The picture that stands for the user's: a ball that is lit from the left.

@@ -8,6 +8,7 @@ use egui::{Key, Modifiers, Theme, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 
 use crate::hand::{Hand, hand, hand_with, with};
+use crate::sights::see;
 
 const SPOTS: &str = r#"{"kind": "ellipse", "center": [50, 60], "radii": [12, 9], "angle": 20},
     {"kind": "ellipse", "center": [95, 50], "radii": [12, 9], "angle": 20},
@@ -17,13 +18,18 @@ const LINES: &str = r#"{"kind": "line", "from": [20, 40], "to": [120, 40], "widt
 const CROSSING: &str = r#"{"kind": "line", "from": [50, 20], "to": [55, 130], "width": 6},
     {"kind": "line", "from": [80, 20], "to": [85, 130], "width": 6}"#;
 
-/// A document of these layers, with these other keys.
+/// A document of 150² px with these layers and these other keys.
 fn document(layers: &[&str], keys: &str) -> Document {
+    sized(150, layers, keys)
+}
+
+fn sized(side: u32, layers: &[&str], keys: &str) -> Document {
     let layer = |strokes: &&str| format!(r#"{{"name": "a", "strokes": [{strokes}]}}"#);
     let layers: Vec<String> = layers.iter().map(layer).collect();
     let all = layers.join(", ");
-    let text =
-        format!(r#"{{"format": "dapple", "version": 2, "size": [150, 150], {keys} "layers": [{all}]}}"#);
+    let text = format!(
+        r#"{{"format": "dapple", "version": 2, "size": [{side}, {side}], {keys} "layers": [{all}]}}"#
+    );
     Document::parse(&text, "goals").unwrap()
 }
 
@@ -68,6 +74,7 @@ fn a_click_on_a_goal_changes_the_layer_and_one_undo_takes_it_back() {
 fn a_stroke_cancels_the_growing_of_goals() {
     let (mut hand, ..) = hand_with(&document(&[SPOTS], ""));
     hand.until_settled();
+    hand.key(Modifiers::NONE, Key::E);
     hand.until("some growing", |window| window.goals().is_growing());
     let at = hand.at([120.0, 120.0]);
     hand.window.hover_at(at);
@@ -90,8 +97,9 @@ fn all_grow(document: &Document, asked: &[Goal]) {
     let all = &hand.window.state().goals().all;
     for one in all {
         let name = one.offer.goal.name();
-        assert_eq!(one.failed, None, "{name}");
-        assert_eq!(one.can_be_taken(), one.offer.outcome.is_ok(), "{name}");
+        let is_shown = hand.window.query_all_by_label_contains(&format!("Become {name}")).next().is_some();
+        assert_eq!(is_shown, one.failed.is_none(), "{name}: {:?}", one.failed);
+        assert_eq!(one.can_be_taken(), one.offer.outcome.is_ok() && is_shown, "{name}");
     }
     for goal in asked {
         assert!(all.iter().any(|one| one.offer.goal == *goal && one.can_be_taken()), "{goal:?}");
@@ -131,7 +139,7 @@ fn every_goal_of_a_layer_above_others_grows() {
 fn goals_grow_in_regions_and_in_a_part_of_a_large_sketch() {
     let far =
         format!(r#"{SPOTS}, {{"kind": "ellipse", "center": [700, 700], "radii": [14, 9], "angle": 0}}"#);
-    let large = Document { size: [800, 800], ..document(&[&far], "") };
+    let large = sized(800, &[&far], "");
     all_grow(&large, &[Goal::Spots, Goal::Cells, Goal::Rings]);
     all_grow(&Document { regions: Some([4, 4]), ..large }, &[Goal::Spots, Goal::Cells, Goal::Patches]);
 }
@@ -229,4 +237,22 @@ fn options_that_would_help_offer_themselves_and_are_undone() {
     assert!(hand.window.query_by_label("Let the sizes vary").is_none());
     hand.key(Modifiers::COMMAND, Key::Z);
     assert_eq!(hand.document(), before);
+}
+
+#[test]
+fn what_spots_and_crossing_lines_can_become() {
+    let spots = [[150.0, 150.0], [290.0, 120.0], [240.0, 250.0], [380.0, 270.0], [130.0, 320.0]];
+    let mut hand = hand();
+    for (k, center) in spots.into_iter().enumerate() {
+        hand.draw_round(center, [40.0 - 3.0 * k as f64, 28.0], 20.0);
+    }
+    until_grown(&mut hand);
+    hand.window.state_mut().hide_times();
+    see(&mut hand, "goals-light");
+
+    let crossing = format!("{LINES}, {CROSSING}");
+    let (mut hand, ..) = hand_with(&document(&[&crossing], ""));
+    until_grown(&mut hand);
+    hand.window.state_mut().hide_times();
+    see(&mut hand, "goals-of-lines-light");
 }

@@ -354,3 +354,28 @@ impl Outlines {
         Smallest { width: self.width * px, area: self.area * px * px }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::{Finish, Finishing, FlowChoice};
+
+    fn of(kind: FinishKind) -> Document {
+        let finish = Finish { kind, size: 10.0 };
+        let finish = Some(Finishing { finish, flow: FlowChoice::Usual });
+        Document { finish, ..Document::default() }
+    }
+
+    #[test]
+    fn the_relief_follows_the_material_until_it_is_set_for_it() {
+        let mut material = Choices::default().material;
+        assert_eq!(material.relief_of(&Document::default()), [6.0]);
+        assert_eq!(material.relief_of(&of(FinishKind::Fur)), [0.0]);
+        assert_eq!(material.relief_of(&of(FinishKind::Leather)), [6.0]);
+        material.set_relief(&of(FinishKind::Fur), 1, 2.5);
+        assert_eq!(material.relief_of(&of(FinishKind::Fur)), [0.0, 2.5]);
+        // What was set for fur holds for fur.
+        assert_eq!(material.relief_of(&Document::default()), [6.0]);
+        assert_eq!(material.relief_of(&of(FinishKind::Cloth)), [0.0]);
+    }
+}

@@ -27,7 +27,7 @@ pub struct ShownGoal {
     pub is_now: bool,
     /// Its picture, once there is one; that of the sketch from before until then.
     pub picture: Option<Arc<ColorImage>>,
-    /// Why it cannot be grown.
+    /// Why it cannot be grown; it is not shown then.
     pub failed: Option<String>,
     /// The id under which its picture grows.
     id: u64,
@@ -69,6 +69,8 @@ pub struct Goals {
     due: Instant,
     /// Whether no thread could be started; it is tried again after the next change.
     stopped: bool,
+    /// Whether pictures are missing that are going to grow.
+    waiting: bool,
     ids: u64,
 }
 
@@ -84,6 +86,7 @@ impl Goals {
             followed: None,
             due: Instant::now(),
             stopped: false,
+            waiting: false,
             ids: 0,
         }
     }
@@ -103,6 +106,7 @@ impl Goals {
         [seen, drawing, busy]: [bool; 3],
     ) -> (Option<Duration>, Option<StartError>) {
         self.listen();
+        self.waiting = false;
         if growth.is_empty() || session.kind(session.active_layer).is_none() {
             (self.series, self.followed) = (None, None);
             self.all.clear();
@@ -123,7 +127,8 @@ impl Goals {
             self.replace(Goal::offers(session, now), now);
             self.due = Instant::now() + CALM;
         }
-        if busy || self.stopped || self.series.is_some() || self.is_complete() {
+        self.waiting = !self.stopped && !self.is_complete();
+        if busy || !self.waiting || self.series.is_some() {
             return (None, None);
         }
         let left = self.due.saturating_duration_since(Instant::now());
@@ -195,6 +200,12 @@ impl Goals {
     #[must_use]
     pub fn is_growing(&self) -> bool {
         self.series.is_some()
+    }
+
+    /// Whether pictures that are in sight are growing, or are going to.
+    #[must_use]
+    pub fn is_busy(&self) -> bool {
+        self.waiting
     }
 
     /// Whether every goal that can be taken has a picture of the current sketch, or cannot be grown.

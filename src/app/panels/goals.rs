@@ -25,7 +25,7 @@ pub fn goals(ui: &mut Ui, goals: &mut Goals, session: &Session, growth: &Growth)
         ui.horizontal_top(|ui| {
             ui.spacing_mut().item_spacing.x = 8.0;
             let can = !session.is_active_frozen();
-            for one in &mut goals.all {
+            for one in goals.all.iter_mut().filter(|one| one.is_now || one.failed.is_none()) {
                 if card(ui, one, can) {
                     actions.push(taken(one.offer.goal, session.active_layer));
                 }
@@ -88,11 +88,7 @@ fn card(ui: &mut Ui, one: &mut ShownGoal, can: bool) -> bool {
             };
             WidgetInfo::selected(Role::Button, can, is_now, label)
         });
-        let words = match (&one.offer.outcome, &one.failed) {
-            (Err([words, _]), _) => *words,
-            (_, Some(_)) => "cannot grow here",
-            _ => "…",
-        };
+        let words = one.offer.outcome.as_ref().err().map_or("…", |[words, _]| *words);
         let texture = one.texture(ui.ctx()).cloned();
         let is_there = can || is_now;
         let shown = Card { texture: texture.as_ref(), words, is_open: is_now, is_there, progress: None };
@@ -116,9 +112,6 @@ fn tooltip(ui: &mut Ui, one: &ShownGoal) {
     ui.label(format!("{}.", goal.help()));
     if let Err([words, why]) = &one.offer.outcome {
         ui.label(format!("It {words}. {}", ended(why)));
-    }
-    if let Some(why) = &one.failed {
-        ui.label(ended(why));
     }
     ui.weak(format!("In How it grows: {}", goal.system()));
 }

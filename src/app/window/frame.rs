@@ -264,7 +264,7 @@ impl Window {
         }
         let corner = self.canvas.view.to_screen(sketch, [0.0; 2]);
         self.trace.canvas([corner.x, corner.y], self.canvas.view.zoom);
-        if self.session.is_empty() && !self.canvas.is_busy() {
+        if self.is_blank() && !self.shows_goals(ui.ctx()) {
             let paper = self.canvas.view.paper(sketch, self.session.document().size);
             actions.extend(panels::starters(ui, sketch, paper));
         }

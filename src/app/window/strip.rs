@@ -1,4 +1,5 @@
-//! The row of small pictures below sketch and texture: the alternatives, or else what the active layer can become.
+//! The row of small pictures below sketch and texture: the alternatives, or else what the active layer can become, or what
+//! an empty sketch can begin with.
 
 use egui::{Context, Frame, Panel, Ui};
 
@@ -22,13 +23,23 @@ impl Window {
         } else if self.shows_goals(ui.ctx()) {
             let strip = Panel::bottom("goals").frame(bar).resizable(false).exact_size(panels::GOALS);
             strip.show(ui, |ui| {
-                actions.extend(panels::goals(ui, &mut self.goals, &self.session, &self.growth));
+                if self.is_blank() {
+                    let room = ui.available_rect_before_wrap();
+                    actions.extend(panels::starters(ui, room, room.with_max_y(room.top())));
+                } else {
+                    actions.extend(panels::goals(ui, &mut self.goals, &self.session, &self.growth));
+                }
             });
         }
     }
 
+    /// Whether nothing is drawn, nor being drawn.
+    pub(super) fn is_blank(&self) -> bool {
+        self.session.is_empty() && !self.canvas.is_busy()
+    }
+
     /// Whether there are pictures of what the layer can become: not in a low window, nor in place of the alternatives.
-    fn shows_goals(&self, ctx: &Context) -> bool {
+    pub(super) fn shows_goals(&self, ctx: &Context) -> bool {
         let has_room = !is_narrow(ctx) && ctx.content_rect().height() >= ROOM_FOR_GOALS;
         let is_free = !self.alternatives.shown && !self.panels_hidden;
         self.goals.shown && has_room && is_free && self.presentation == Presentation::Full

@@ -122,3 +122,13 @@ fn each_goal_is_told_from_the_layer_and_its_system() {
         }
     }
 }
+
+#[test]
+fn rings_around_cells_make_them_spots() {
+    let mut session = session(vec![spots()]);
+    session.change(Edit::LayerGoal(0, Goal::Cells));
+    session.change(Edit::LayerGoal(0, Goal::Rings));
+    assert_eq!(session.document().layers[0].system, Goal::Spots.choice());
+    assert_eq!((session.document().layers[1].after, session.active_layer), (After::Around, 1));
+    session.finished().check("rings").unwrap();
+}
