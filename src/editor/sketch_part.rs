@@ -4,14 +4,14 @@ use crate::document::{Document, Labels, Layer, MapKey, MapSource, Progression, S
 use crate::editor::{freehand, shape};
 use crate::marks::Mark;
 
-/// Side of the part ÷ the size of a mark: the diameter of an ellipse, the width of a line.
+/// Side of the part ÷ the size of a mark: the diameter of an ellipse, the period of lines as wide as their gaps.
 const ACROSS: f64 = 16.0;
 /// The largest such side: where marks are farther apart, fewer of them are shown.
 const WIDEST: f64 = 40.0;
-/// The fewest marks of the layer that the part holds, where there are as many and they are not too far apart.
+/// The fewest marks of the layer that the part holds, or two thirds of them, where they are not too far apart.
 const FEWEST: usize = 6;
 /// The smallest side, px.
-const LEAST: f64 = 128.0;
+const LEAST: f64 = 160.0;
 /// Growth of the side until the part holds enough marks.
 const STEP: f64 = 1.4;
 /// A part that is larger than this share of the canvas along both sides is the whole canvas.
@@ -77,7 +77,7 @@ fn best(document: &Document, marks: &[Option<Mark>]) -> Option<Part> {
         if (0..2).all(|axis| part.size[axis] >= NEARLY_ALL * canvas[axis]) {
             return None;
         }
-        if count >= FEWEST.min(marks.len()) || side >= widest {
+        if count >= FEWEST.min((2 * marks.len()).div_ceil(3)) || side >= widest {
             return Some(part);
         }
         side = (STEP * side).min(widest);
@@ -87,8 +87,8 @@ fn best(document: &Document, marks: &[Option<Mark>]) -> Option<Part> {
 fn size_of(mark: &Mark) -> f64 {
     match mark {
         Mark::Ellipse(ellipse) => 2.0 * (ellipse.radii[0] * ellipse.radii[1]).sqrt(),
-        Mark::Line(line) => line.width,
-        Mark::Path(path) => path.width,
+        Mark::Line(line) => 2.0 * line.width,
+        Mark::Path(path) => 2.0 * path.width,
     }
 }
 
