@@ -53,7 +53,7 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) {
             "Colours and normals with 16 bit; heights always have it",
         );
         ui.end_row();
-        named(ui, "Ground", "The surface between the marks");
+        named(ui, "Opacity", "The ground is the surface between the marks");
         yes(
             ui,
             "transparent",
