@@ -20,7 +20,7 @@ const DIFFERS: f64 = 0.12;
 const IRREGULAR: f64 = 0.6;
 /// The least coefficient of variation of the area that is meant.
 const VARIES: f64 = 0.2;
-/// As many marks are measured, and grown ones vary as they do.
+/// The number of marks from which on their variation is measured, so that grown ones vary as they do.
 const MEASURED: usize = 6;
 
 /// An option that would help.
