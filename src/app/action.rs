@@ -193,6 +193,8 @@ pub enum Action {
     Reach(usize, [usize; 2]),
     /// Show the training cloud of a region of a layer of the finished document, or hide it.
     Cloud(Option<(usize, [usize; 2])>),
+    /// Show or hide what the layer can become.
+    Goals(bool),
     /// Show or hide the alternatives.
     Alternatives(bool),
     /// Show the alternatives if they are hidden, else hide them.

@@ -26,6 +26,7 @@ mod places;
 mod recovery;
 mod settings;
 mod start;
+mod strip;
 
 pub use start::Start;
 
@@ -41,6 +42,7 @@ use super::canvas::wanted::Glyph;
 use super::cloud::Cloud;
 use super::examples::Gallery;
 use super::exporting::Exporting;
+use super::goals::Goals;
 use super::growth::{Growth, GrowthState, Texture};
 use super::notice::{Notice, Notices};
 use super::panels::{ColourPanel, LayersPanel, MenuKeys, ResultPanel};
@@ -87,6 +89,7 @@ pub struct Window {
     results: Results,
     cloud: Cloud,
     alternatives: Alternatives,
+    goals: Goals,
     colour: ColourPanel,
     result_panel: ResultPanel,
     /// Whether the column on the right is shown on a narrow screen.
@@ -210,6 +213,12 @@ impl Window {
         &self.alternatives
     }
 
+    /// What the active layer can become.
+    #[must_use]
+    pub fn goals(&self) -> &Goals {
+        &self.goals
+    }
+
     /// The training cloud.
     #[must_use]
     pub fn cloud(&self) -> &Cloud {
@@ -282,6 +291,7 @@ impl Window {
         self.result_panel.chosen = None;
         self.cloud.forget();
         self.alternatives.forget();
+        self.goals.forget();
         self.grown = None;
         self.say_what_is_on_a_model();
     }

@@ -4,6 +4,7 @@ use crate::document::systems::POINTS;
 use crate::document::{
     After, Colours, Document, Layer, LayerMaps, LayerOptions, Points, SystemChoice, Tone, ToneImage,
 };
+use crate::editor::goal::Goal;
 use crate::editor::selection::Place;
 use crate::editor::session::Session;
 use crate::grid::Edges;
@@ -31,6 +32,8 @@ pub enum Edit {
     LayerAfter(usize, After),
     /// Set the system of a layer.
     LayerSystem(usize, SystemChoice),
+    /// Let a layer become this.
+    LayerGoal(usize, Goal),
     /// Set the options of a layer.
     LayerOptions(usize, LayerOptions),
     /// Make a layer a field of these points.
@@ -59,6 +62,7 @@ impl Session {
             Edit::LayerName(layer, name) => self.change_layer(layer, |layer| layer.name = name),
             Edit::LayerAfter(layer, after) => self.change_layer(layer, |layer| layer.after = after),
             Edit::LayerSystem(layer, system) => self.change_layer(layer, |layer| layer.system = system),
+            Edit::LayerGoal(layer, goal) => self.become_goal(layer, goal),
             Edit::LayerOptions(layer, options) => self.change_layer(layer, |layer| layer.options = options),
             Edit::LayerPoints(layer, points) => self.edit(|document| scatter(document, layer, points)),
             Edit::Drive(image) => self.drive(image),
@@ -77,6 +81,13 @@ impl Session {
         // Settings that are not allowed beside a tone get their defaults.
         self.change_layer(driven, |_| ());
         self.active_layer = driven;
+    }
+
+    fn become_goal(&mut self, layer: usize, goal: Goal) {
+        let marks = self.marks_of(layer);
+        let mut active = layer;
+        self.edit(|document| active = goal.apply(document, layer, &marks));
+        self.active_layer = active;
     }
 
     fn resize(&mut self, size: [u32; 2]) {

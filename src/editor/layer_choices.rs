@@ -2,7 +2,7 @@
 //! [`crate::document::layer_rules`].
 
 use crate::document::layer_rules::{Beneath, Combination, Condition};
-use crate::document::{After, Kind, Layer, MapKey, OptionKey, SystemChoice};
+use crate::document::{After, AreaKind, Kind, Layer, MapKey, OptionKey, SystemChoice};
 use crate::editor::session::Session;
 
 /// Why layer `layer` cannot have this value of `after`; `None` where it can.
@@ -42,15 +42,33 @@ pub fn option_refusal(layer: &Layer, kind: Option<Kind>, option: OptionKey) -> O
 
 /// Layer `layer` with the properties that the rules depend on.
 fn combination(session: &Session, layer: usize) -> Option<Combination> {
-    let layers = &session.document().layers;
-    let beneath = match session.beneath(layer) {
-        None => Beneath::Nothing,
-        Some(beneath) if layers[beneath].is_driven() => Beneath::Tone,
-        Some(beneath) if layers[beneath].system.pairs().is_some() => Beneath::Pairs,
-        Some(beneath) if session.areas(beneath).is_some() || layers[beneath].is_of_points() => Beneath::Areas,
-        Some(beneath) => session.kind(beneath).map_or(Beneath::Unknown, Beneath::Grows),
-    };
-    Some(Combination::new(layers.get(layer)?, session.kind(layer), beneath))
+    Some(Combination::new(
+        session.document().layers.get(layer)?,
+        session.kind(layer),
+        beneath(session, layer),
+    ))
+}
+
+/// The kind of the layer beneath layer `layer`.
+#[must_use]
+pub fn beneath(session: &Session, layer: usize) -> Beneath {
+    session.beneath(layer).map_or(Beneath::Nothing, |beneath| {
+        as_beneath(&session.document().layers[beneath], session.areas(beneath), session.kind(beneath))
+    })
+}
+
+/// The kind that `layer`, whose marks are of `kind` and grow these `areas`, is for a layer above it.
+#[must_use]
+pub fn as_beneath(layer: &Layer, areas: Option<AreaKind>, kind: Option<Kind>) -> Beneath {
+    if layer.is_driven() {
+        Beneath::Tone
+    } else if layer.system.pairs().is_some() {
+        Beneath::Pairs
+    } else if areas.is_some() || layer.is_of_points() {
+        Beneath::Areas
+    } else {
+        kind.map_or(Beneath::Unknown, Beneath::Grows)
+    }
 }
 
 #[cfg(test)]

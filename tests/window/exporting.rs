@@ -98,6 +98,22 @@ fn grown(folder: &Path, name: &str, options: &[&str]) -> PathBuf {
 }
 
 #[test]
+fn an_export_does_not_cancel_the_one_that_is_being_written() {
+    let (mut hand, folder) = small();
+    let first = folder.path().join("first.png");
+    hand.window.state_mut().export(&first, Some([1200, 1200]), 1);
+    open(&mut hand, "Picture");
+    hand.press("Export…");
+    hand.type_path("File", &folder.path().join("second.png"));
+    let told = |window: &dapple::app::Window, text: &str| {
+        window.notices().iter().any(|notice| notice.text.contains("first.png") && notice.text.contains(text))
+    };
+    hand.until("refused", |window| told(window, "is still being written"));
+    hand.until("written", |window| told(window, "Written"));
+    assert!(first.exists() && !folder.path().join("second.png").exists());
+}
+
+#[test]
 fn an_impossible_export_is_reported_with_a_remedy() {
     let (mut hand, folder) = small();
     let other = folder.path().join("stripes.dapple");

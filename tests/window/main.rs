@@ -12,6 +12,7 @@ mod drawing;
 mod exporting;
 mod free_marks;
 mod glance;
+mod goals;
 mod growing;
 mod habits;
 mod hand;

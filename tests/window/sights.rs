@@ -17,8 +17,8 @@ fn example(name: &str) -> Start {
     Start { file: Some(file), ..Start::default() }
 }
 
-/// Moves the pointer away, and waits for what is shown later: the results of a texture, and its picture for another
-/// zoom.
+/// Moves the pointer away, and waits for what is shown later: the results of a texture, its picture for another zoom, and pictures
+/// of what it can become.
 #[track_caller]
 fn prepare(hand: &mut Hand) {
     hand.window.remove_cursor();
@@ -26,7 +26,7 @@ fn prepare(hand: &mut Hand) {
     hand.until("measured", |window| {
         window.settled().is_none() || window.results().for_texture(window.settled()).is_some()
     });
-    hand.until("painted", |window| !window.is_painting());
+    hand.until("painted", |window| !window.is_painting() && !window.goals().is_busy());
     hand.rest();
 }
 

@@ -1,11 +1,8 @@
 //! Other textures that fit the same sketch. They are grown in the background while they are shown.
 
-mod series;
 #[cfg(test)]
 mod tests;
 mod variants;
-
-pub use series::small;
 
 use std::sync::Arc;
 
@@ -13,11 +10,11 @@ use egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
 use super::growth::{Growth, Texture, essence};
 use super::result::finished_layer;
+use super::small_growth::{self, Job, News};
 use crate::document::{Document, Layer, Starred, limits};
 use crate::editor::session::Session;
 use crate::editor::task::{StartError, Task, Tasks};
 use crate::synth::{Grown, Training};
-use series::{Job, News};
 use variants::{Variant, variants};
 
 /// Bytes that the grown textures of all alternatives may take.
@@ -208,7 +205,7 @@ impl Alternatives {
             help: "The document from which these alternatives were made".to_owned(),
             document: without_stars(&texture.document),
         };
-        let others = variants(&base.document, &texture.grown, layer);
+        let others = variants(&base.document, layer);
         for (index, variant) in std::iter::once(base).chain(others).enumerate() {
             let needed = essence(&variant.document);
             let there = self.all.iter().any(|one| essence(&one.document) == needed);
@@ -259,6 +256,7 @@ impl Alternatives {
         let beneath = self.all.iter().find(|one| !one.kept).and_then(|one| one.grown.clone());
         let job = |one: &Alternative| Job {
             id: one.id,
+            about: None,
             document: one.document.clone(),
             known: one.grown.clone().or_else(|| beneath.clone()),
             grown: one.grown.is_some(),
@@ -267,7 +265,7 @@ impl Alternatives {
         if jobs.is_empty() {
             return Ok(());
         }
-        match series::start(jobs, &self.training, tasks) {
+        match small_growth::start("alternatives", jobs, &self.training, tasks) {
             Ok(task) => {
                 self.series = Some((None, task));
                 Ok(())

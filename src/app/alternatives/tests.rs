@@ -59,7 +59,7 @@ fn other_marks_have_other_alternatives() {
 fn layers_with_seeds_of_their_own_get_others_too() {
     let mut drawn = document(vec![spot([60.0, 60.0])]);
     drawn.layers[0].seed = Some(7);
-    let seeds = variants(&drawn, &texture(&drawn).grown, 0);
+    let seeds = variants(&drawn, 0);
     let of = |name: &str| seeds.iter().find(|one| one.name == name).unwrap().document.layers[0].seed;
     assert_eq!([of("Seed 2"), of("Seed 3")], [Some(8), Some(9)]);
 }
@@ -68,8 +68,7 @@ fn layers_with_seeds_of_their_own_get_others_too() {
 fn stripes_have_other_seeds_alone() {
     let line = Line { from: [10.0, 60.0], to: [110.0, 60.0], width: 8.0 };
     let drawn = document(vec![Stroke::Line(line)]);
-    let names: Vec<String> =
-        variants(&drawn, &texture(&drawn).grown, 0).into_iter().map(|one| one.name).collect();
+    let names: Vec<String> = variants(&drawn, 0).into_iter().map(|one| one.name).collect();
     assert_eq!(names, ["Seed 2", "Seed 3", "Seed 4", "Seed 5"]);
 }
 
@@ -78,7 +77,7 @@ fn marks_that_vary_have_an_alternative_without_variation() {
     let mut drawn = document(vec![spot([60.0, 60.0])]);
     let spread = Spread { area: 0.3, ..Spread::ZERO };
     drawn.layers[0].options.spread = SpreadChoice::Given(spread);
-    let all = variants(&drawn, &texture(&drawn).grown, 0);
+    let all = variants(&drawn, 0);
     let of = |name: &str| all.iter().find(|one| one.name == name).unwrap().document.layers[0].options.spread;
     assert_eq!(of("Uniform"), SpreadChoice::Given(Spread::ZERO));
     let SpreadChoice::Given(looser) = of("Varied") else { panic!() };

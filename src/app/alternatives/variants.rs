@@ -1,10 +1,7 @@
 //! Other documents that fit the same sketch.
 
 use crate::attributes::Spread;
-use crate::document::layer_rules::{Beneath, Combination};
-use crate::document::{Document, Kind, SpreadChoice, Stroke, SystemChoice, limits};
-use crate::rd::System;
-use crate::synth::Grown;
+use crate::document::{Document, SpreadChoice, Stroke, limits};
 use crate::synth::drawn::sketch_targets;
 
 /// How many other seeds are offered.
@@ -31,13 +28,11 @@ impl Variant {
     }
 }
 
-/// The variants of `document`, from which `grown` has grown: the same strokes, with other settings on `layer` and the
-/// layers above it.
+/// The variants of `document`: the same strokes, with another seed or with another variation on `layer`.
 #[must_use]
-pub fn variants(document: &Document, grown: &Grown, layer: usize) -> Vec<Variant> {
+pub fn variants(document: &Document, layer: usize) -> Vec<Variant> {
     let mut all = Vec::new();
     all.extend((1..=SEEDS).map(|step| seeded(document, step)));
-    all.extend(other_system(document, grown, layer));
     all.extend(spreads(document, layer));
     all
 }
@@ -67,23 +62,6 @@ fn is_spotted(document: &Document, layer: usize) -> bool {
         Some(Stroke::Freehand { .. }) => sketch_targets::marks(document, layer, "")
             .is_ok_and(|marks| marks.iter().all(|mark| matches!(mark, crate::marks::Mark::Ellipse(_)))),
     }
-}
-
-/// Another system that grows the same marks.
-fn other_system(document: &Document, grown: &Grown, layer: usize) -> Option<Variant> {
-    let own = grown.layers.get(layer)?.system();
-    own.alternative?;
-    let replaces = |system: &System| {
-        let other = system.description();
-        other.name != own.name && other.marks == own.marks && other.alternative.is_some()
-    };
-    let system = System::ALL.into_iter().find(replaces)?;
-    let (name, help) = (system.description().title, system.description().alternative?);
-    let mut other = document.clone();
-    other.layers.get_mut(layer)?.system = SystemChoice::Of(system.description());
-    let combination = Combination::new(&other.layers[layer], Some(Kind::Ellipse), Beneath::Unknown);
-    let fits = combination.broken_rule().is_none();
-    fits.then(|| Variant::new(name, help, other))
 }
 
 /// A variant whose spots differ less from each other, and one whose spots differ more.

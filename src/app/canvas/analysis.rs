@@ -1,5 +1,7 @@
 //! The analysed sketch, drawn over it as in the paper's figures: regions, neighbours, directions.
 
+use std::cell::OnceCell;
+
 use egui::{Align2, Color32, FontId, Stroke, vec2};
 
 use super::ink::Ink;
@@ -11,13 +13,15 @@ use crate::document::sketch_notes::{SketchNote, sketch_notes};
 use crate::document::{AreaKind, Document, Layer, SystemChoice};
 use crate::editor::session::Session;
 use crate::editor::shape;
+use crate::editor::suggestion::{Suggestion, suggestions};
 use crate::marks::{Ellipse, Line, Mark};
 
 /// The analysed sketch: a region map for each layer that has marks, and what will not grow as it was drawn.
 #[derive(Default)]
 pub struct Analysis {
     revision: Option<u64>,
-    maps: Vec<Option<RegionMap>>,
+    /// The maps that have been asked for: that of a hundred lines takes longer than a frame.
+    maps: Vec<OnceCell<Option<RegionMap>>>,
     /// What will not grow as it was drawn.
     pub notes: Vec<SketchNote>,
     /// The layers whose lines cross and are a weave, as their system is chosen automatically.
@@ -26,6 +30,8 @@ pub struct Analysis {
     pub dense: Vec<(usize, AreaKind)>,
     /// The layers whose outlines lie side by side as cells do, but which grow something else.
     pub cells: Vec<usize>,
+    /// Options that would help layers.
+    pub suggestions: Vec<(usize, Suggestion)>,
 }
 
 impl Analysis {
@@ -36,14 +42,7 @@ impl Analysis {
         }
         self.revision = Some(session.revision());
         let document = session.document();
-        let size = document.size.map(f64::from);
-        let grid = document.region_grid();
-        let map = |layer| {
-            let map =
-                RegionMap::from_marks(&session.marks_on_tile(layer), size, grid, document.edges).ok()?;
-            Some(with_period(map, document, layer))
-        };
-        self.maps = (0..document.layers.len()).map(map).collect();
+        self.maps = vec![OnceCell::new(); document.layers.len()];
         let marks = session.fitted_marks();
         self.notes = sketch_notes(document, marks);
         let layers = document.layers.iter().zip(marks).enumerate();
@@ -59,6 +58,8 @@ impl Analysis {
             layer.system == SystemChoice::Auto && document.pairs_of(layer, marks).is_some()
         });
         self.weaves = weaves.map(|(index, _)| index).collect();
+        let of_layer = |layer| suggestions(session, layer).into_iter().map(move |one| (layer, one));
+        self.suggestions = (0..document.layers.len()).flat_map(of_layer).collect();
     }
 
     /// Another document is open.
@@ -66,15 +67,15 @@ impl Analysis {
         *self = Self::default();
     }
 
-    /// The map of a layer, if it has marks.
+    /// The map of a layer of `session`, if it has marks.
     #[must_use]
-    pub fn map(&self, layer: usize) -> Option<&RegionMap> {
-        self.maps.get(layer)?.as_ref()
+    pub fn map(&self, session: &Session, layer: usize) -> Option<&RegionMap> {
+        self.maps.get(layer)?.get_or_init(|| map(session, layer)).as_ref()
     }
 
     /// Paints the analysis of a layer.
     pub fn paint(&self, ink: &Ink, session: &Session, layer: usize, colours: &Palette) {
-        let Some(map) = self.map(layer) else { return };
+        let Some(map) = self.map(session, layer) else { return };
         let marks = session.marks_of(layer);
         neighbours(ink, map, &marks, colours);
         for mark in &marks {
@@ -84,6 +85,13 @@ impl Analysis {
             mean(ink, map, place, region, colours);
         }
     }
+}
+
+fn map(session: &Session, layer: usize) -> Option<RegionMap> {
+    let document = session.document();
+    let (size, grid) = (document.size.map(f64::from), document.region_grid());
+    let map = RegionMap::from_marks(&session.marks_on_tile(layer), size, grid, document.edges).ok()?;
+    Some(with_period(map, document, layer))
 }
 
 /// The map of a layer with the stripe period from its options; without a period where the drawn lines do not determine

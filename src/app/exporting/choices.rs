@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
-use crate::document::Document;
+use crate::document::{Document, FinishKind};
 use crate::editor::units::Units;
 use crate::export::Format;
+use crate::export::maps::Surface;
 use crate::export::motion::Kind;
 use crate::export::outline::svg::Unit;
 use crate::export::outline::{Ends, Hatch, Smallest, Style};
@@ -92,8 +93,12 @@ pub struct Picture {
 /// How a material is written.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Material {
-    /// Height of the marks above the ground by layer, px; the last value holds for all further layers.
+    /// Height of the marks above the ground by layer, px; the last value holds for all further layers. It was chosen for a texture
+    /// of [`Self::finish`].
     pub relief: Vec<f64>,
+    /// The name of the finish that the relief was chosen for; empty for none.
+    #[serde(default)]
+    pub finish: String,
     /// Roughness of the ground, then of the marks by layer.
     pub roughness: Vec<f64>,
     /// Whether colours have 16 bit per channel, instead of 8.
@@ -183,7 +188,8 @@ impl Default for Choices {
                 document: true,
             },
             material: Material {
-                relief: vec![6.0],
+                relief: Surface::default().relief,
+                finish: String::new(),
                 roughness: vec![0.8, 0.5],
                 deep: false,
                 transparent: false,
@@ -253,6 +259,47 @@ impl Choices {
     }
 }
 
+impl Material {
+    /// The relief of `document`: the chosen one, unless it was chosen for another finish. Then it follows the finish: marks are the
+    /// colour of hairs, scales, threads or ink and no higher than these; in skin they rise a little, and those of leather are
+    /// embossed like marks without a finish.
+    #[must_use]
+    pub fn relief_of(&self, document: &Document) -> Vec<f64> {
+        if self.finish == finish_name(document) {
+            return self.relief.clone();
+        }
+        match document.finish.as_ref().map(|finish| finish.finish.kind) {
+            None | Some(FinishKind::Leather) => Surface::default().relief,
+            Some(FinishKind::Skin) => vec![1.0],
+            Some(_) => vec![0.0],
+        }
+    }
+
+    /// Sets the relief of the layer `index` of `document`.
+    pub fn set_relief(&mut self, document: &Document, index: usize, relief: f64) {
+        let mut values = self.relief_of(document);
+        put(&mut values, index, relief);
+        (self.relief, self.finish) = (values, finish_name(document).to_owned());
+    }
+
+    /// Sets the roughness of the ground (0) or of a layer (its index + 1).
+    pub fn set_roughness(&mut self, index: usize, roughness: f64) {
+        put(&mut self.roughness, index, roughness);
+    }
+}
+
+fn finish_name(document: &Document) -> &'static str {
+    document.finish.as_ref().map_or("", |finish| finish.finish.kind.name())
+}
+
+/// Sets a value; the last one holds for all before it that are missing.
+fn put(values: &mut Vec<f64>, index: usize, value: f64) {
+    while values.len() <= index {
+        values.push(values.last().copied().unwrap_or_default());
+    }
+    values[index] = value;
+}
+
 /// Largest relief, px.
 pub const RELIEF: f64 = 1e4;
 
@@ -305,5 +352,30 @@ impl Outlines {
     pub fn smallest(&self, dpi: f64) -> Smallest {
         let px = 1.0 / self.unit(dpi).per_px();
         Smallest { width: self.width * px, area: self.area * px * px }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::{Finish, Finishing, FlowChoice};
+
+    fn of(kind: FinishKind) -> Document {
+        let finish = Finish { kind, size: 10.0 };
+        let finish = Some(Finishing { finish, flow: FlowChoice::Usual });
+        Document { finish, ..Document::default() }
+    }
+
+    #[test]
+    fn the_relief_follows_the_material_until_it_is_set_for_it() {
+        let mut material = Choices::default().material;
+        assert_eq!(material.relief_of(&Document::default()), [6.0]);
+        assert_eq!(material.relief_of(&of(FinishKind::Fur)), [0.0]);
+        assert_eq!(material.relief_of(&of(FinishKind::Leather)), [6.0]);
+        material.set_relief(&of(FinishKind::Fur), 1, 2.5);
+        assert_eq!(material.relief_of(&of(FinishKind::Fur)), [0.0, 2.5]);
+        // What was set for fur holds for fur.
+        assert_eq!(material.relief_of(&Document::default()), [6.0]);
+        assert_eq!(material.relief_of(&of(FinishKind::Cloth)), [0.0]);
     }
 }

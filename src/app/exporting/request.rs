@@ -199,11 +199,12 @@ impl ExportRequest {
             transparent: choices.transparent || !painting.is_opaque(),
             dpi: Some(self.document.dpi * f64::from(self.choices.size.scale)),
         };
+        let relief = choices.relief_of(&self.document);
         let (scale, relief) = match size == self.size() {
-            true => (self.choices.size.scale as usize, choices.relief.clone()),
+            true => (self.choices.size.scale as usize, relief),
             false => {
                 let smaller = size[0] as f64 / f64::from(grown.size[0]);
-                (1, choices.relief.iter().map(|relief| smaller * relief).collect())
+                (1, relief.iter().map(|relief| smaller * relief).collect())
             }
         };
         let surface = Surface { relief, roughness: choices.roughness.clone() };

@@ -1,12 +1,10 @@
 //! The alternatives, as a row of small pictures below sketch and texture.
 
-use egui::{
-    Align, Color32, FontId, Layout, Rect, RichText, Role, ScrollArea, Sense, Shape, Stroke, StrokeKind, Ui,
-    Vec2, WidgetInfo, epaint::Mesh, pos2, vec2,
-};
+use egui::{Align, Layout, Rect, RichText, Role, ScrollArea, Sense, Stroke, Ui, Vec2, WidgetInfo, pos2};
 
+use super::card::{self, Card};
 use crate::app::action::Action;
-use crate::app::alternatives::{Alternative, Alternatives};
+use crate::app::alternatives::Alternatives;
 use crate::app::growth::Growth;
 use crate::app::icons::Icon;
 use crate::app::theme::Palette;
@@ -86,14 +84,10 @@ fn card(ui: &mut Ui, alternatives: &mut Alternatives, index: usize, actions: &mu
             }
             WidgetInfo::selected(Role::Button, is_done, is_open, &label)
         });
-        picture(ui, one, rect, is_open, progress);
-        if response.has_focus() || response.hovered() {
-            let stroke = Stroke::new(1.5, Palette::current(ui.visuals()).accent);
-            ui.painter().rect_stroke(rect.expand(1.0), 4.0, stroke, StrokeKind::Outside);
-        }
-        if response.has_focus() {
-            response.scroll_to_me(None);
-        }
+        let words = if one.failed.is_some() { "cannot grow" } else { "…" };
+        let texture = one.texture(ui.ctx()).cloned();
+        card::paint(ui, rect, &Card { texture: texture.as_ref(), words, is_open, is_there: true, progress });
+        card::mark(ui, rect, &response);
         if response.on_hover_text(help).clicked() && is_done {
             actions.push(Action::TakeAlternative(id));
         }
@@ -104,32 +98,6 @@ fn card(ui: &mut Ui, alternatives: &mut Alternatives, index: usize, actions: &mu
         let font = if is_open { font.strong() } else { font };
         ui.add(egui::Label::new(font).truncate().selectable(false));
     });
-}
-
-/// The picture, or a text in its place; a border where it is open, a bar while it grows.
-fn picture(ui: &Ui, one: &mut Alternative, rect: Rect, is_open: bool, progress: Option<f32>) {
-    let palette = Palette::current(ui.visuals());
-    let painter = ui.painter();
-    painter.rect_filled(rect, 4.0, palette.background);
-    let failed = one.failed.is_some();
-    if let Some(texture) = one.texture(ui.ctx()) {
-        let size = texture.size_vec2();
-        let shown = Rect::from_center_size(rect.center(), size * (SIDE / size.max_elem()));
-        let mut mesh = Mesh::with_texture(texture.id());
-        mesh.add_rect_with_uv(shown, Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0)), Color32::WHITE);
-        painter.add(Shape::mesh(mesh));
-    } else {
-        let text = if failed { "cannot grow" } else { "…" };
-        let weak = ui.visuals().weak_text_color();
-        let center = egui::Align2::CENTER_CENTER;
-        painter.text(rect.center(), center, text, FontId::proportional(11.5), weak);
-    }
-    if let Some(share) = progress {
-        let bar = Rect::from_min_size(rect.left_bottom() - vec2(0.0, 4.0), vec2(rect.width() * share, 4.0));
-        painter.rect_filled(bar, 2.0, palette.accent);
-    }
-    let border = if is_open { Stroke::new(2.5, palette.accent) } else { Stroke::new(1.0, palette.border) };
-    painter.rect_stroke(rect, 4.0, border, StrokeKind::Inside);
 }
 
 fn star(ui: &mut Ui, rect: Rect, name: &str, kept: bool, id: u64, actions: &mut Vec<Action>) {

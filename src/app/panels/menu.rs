@@ -35,6 +35,8 @@ pub struct MenuState<'a> {
     pub over: bool,
     /// Whether the texture is shown two by two.
     pub tiled: bool,
+    /// Whether it is shown what the layer can become.
+    pub goals: bool,
     /// Whether the alternatives are shown.
     pub alternatives: bool,
     /// Whether the tools and the column on the right are shown.
@@ -211,6 +213,7 @@ fn view(ui: &mut Ui, state: &MenuState, entries: &mut Entries) {
     entries.check(ui, text, overlays.wanted, &Action::Wanted(!overlays.wanted), free);
     let analysis = overlays.analysis;
     entries.check(ui, "Analysis of the sketch", analysis, &Action::Analysis(!analysis), true);
+    entries.check(ui, "What it can become", state.goals, &Action::Goals(!state.goals), true);
     let alternatives = state.alternatives;
     entries.check(ui, "Alternatives", alternatives, &Action::Alternatives(!alternatives), true);
     let [tools, column] = state.columns;

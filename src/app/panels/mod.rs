@@ -2,12 +2,14 @@
 
 mod alternatives;
 mod canvas;
+mod card;
 mod colour;
 mod column;
 mod context_menu;
 mod draw;
 mod entries;
 mod form;
+mod goals;
 mod growth_bar;
 mod layer_details;
 mod layers;
@@ -20,17 +22,19 @@ mod selected;
 mod sketch_bar;
 mod starters;
 mod status;
+mod suggestions;
 mod texture_menu;
 mod tools;
 mod typed_rows;
 mod wanted;
 
-pub use alternatives::{HEIGHT, alternatives};
+pub use alternatives::{HEIGHT as ALTERNATIVES, alternatives};
 pub use canvas::{CanvasState, canvas};
 pub use colour::{ColourPanel, colour, picked};
 pub use column::column;
 pub use context_menu::context_menu;
 pub use draw::{DrawState, draw};
+pub use goals::{HEIGHT as GOALS, goals};
 pub use growth_bar::growth_bar;
 pub use layers::{LayersPanel, layers};
 pub use menu::{MenuKeys, MenuState, menu};

@@ -3,6 +3,7 @@
 use egui::{Button, RichText, Ui};
 
 use super::form::heading;
+use super::suggestions::suggestions;
 use crate::app::action::Action;
 use crate::app::canvas::Canvas;
 use crate::app::result::Drawn;
@@ -34,6 +35,7 @@ pub fn notes(ui: &mut Ui, session: &Session, canvas: &Canvas, drawn: &Drawn, rul
     let mut actions = weaves(ui, session, canvas);
     actions.extend(dense(ui, session, canvas));
     actions.extend(cells(ui, session, canvas));
+    actions.extend(suggestions(ui, session, canvas));
     if notes.is_empty() && lines.is_empty() && missed.is_empty() {
         return actions;
     }

@@ -1,4 +1,5 @@
-//! What a new sketch can begin with: four small pictures below an empty canvas, or at its lower edge.
+//! What a new sketch can begin with: four small pictures in the row below sketch and texture, below an empty canvas, or at its lower
+//! edge.
 
 use egui::{
     Align2, Color32, FontId, Id, Rect, Role, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo,

@@ -30,7 +30,7 @@ pub fn here(ui: &mut Ui, session: &Session, canvas: &Canvas, ruler: Ruler) {
 pub fn region(ui: &mut Ui, session: &Session, canvas: &Canvas, ruler: Ruler) -> Option<Action> {
     let center = session.document().size.map(|side| 0.5 * f64::from(side));
     let layer = session.active_layer;
-    let map = canvas.analysis.map(layer)?;
+    let map = canvas.analysis.map(session, layer)?;
     let grid = session.document().region_grid();
     let chosen = canvas.chosen_region.filter(|place| (0..2).all(|axis| place[axis] < grid[axis]));
     let place = chosen.unwrap_or_else(|| map.region_of(canvas.pointer.unwrap_or(center)));

@@ -33,6 +33,8 @@ pub struct Layout {
     pub curtain: f32,
     /// Whether the views move together.
     pub linked: bool,
+    /// Whether small pictures of what the layer can become are shown.
+    pub goals: bool,
     /// Whether the region grid is shown.
     pub regions: bool,
     /// Whether the analysis of the sketch is shown.
@@ -56,6 +58,7 @@ impl Default for Layout {
             over: false,
             curtain: 0.5,
             linked: true,
+            goals: true,
             regions: true,
             analysis: false,
             wanted: true,
@@ -87,6 +90,7 @@ impl Layout {
             over: is("over", default.over),
             curtain: entries.get("curtain").map_or(default.curtain, |share: f32| share.clamp(0.0, 1.0)),
             linked: is("linked", default.linked),
+            goals: is("goals", default.goals),
             regions: is("regions", default.regions),
             analysis: is("analysis", default.analysis),
             wanted: is("wanted", default.wanted),
@@ -109,6 +113,7 @@ impl Layout {
         entries.set("over", &self.over, &default.over);
         entries.set("curtain", &thousandths(self.curtain), &thousandths(default.curtain));
         entries.set("linked", &self.linked, &default.linked);
+        entries.set("goals", &self.goals, &default.goals);
         entries.set("regions", &self.regions, &default.regions);
         entries.set("analysis", &self.analysis, &default.analysis);
         entries.set("wanted", &self.wanted, &default.wanted);

@@ -49,6 +49,10 @@ impl Window {
             Action::ChoosePicture(wanted) => self.choose(Purpose::Picture(wanted), ""),
             Action::SavePalette => self.save_palette_as(),
             Action::Page(page) => self.turn_to(page),
+            Action::Goals(shown) => {
+                self.goals.shown = shown;
+                self.panels_hidden &= !shown;
+            }
             Action::Alternatives(shown) => self.show_alternatives(shown),
             Action::ToggleAlternatives => self.show_alternatives(!self.shows_alternatives()),
             Action::TakeAlternative(id) => self.take_alternative(id),

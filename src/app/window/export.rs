@@ -109,7 +109,7 @@ impl Window {
     pub(super) fn export_chosen(&mut self, path: &Path) {
         let Some(dialog) = self.files.export.take() else { return };
         let request = self.request(&dialog.choices);
-        if let Err(why) = exporting::check(path, &request) {
+        if let Err(why) = self.nothing_is_written().and_then(|()| exporting::check(path, &request)) {
             // Another place or format can be chosen.
             self.notices.wrong(why);
             self.files.export = Some(dialog);
@@ -129,6 +129,16 @@ impl Window {
         let grown = dialog.preview.grown(&request, grown.as_ref());
         self.files.exporting = Some(dialog);
         self.exporting = Some(Exporting::new(path, request, made, grown, self.settings.threads, &self.tasks));
+    }
+
+    /// An error while an export is being written: another one would cancel it.
+    fn nothing_is_written(&self) -> Result<(), String> {
+        self.exporting.as_ref().map_or(Ok(()), |job| {
+            Err(format!(
+                "{} is still being written. Wait for it, or cancel it in the line at the bottom.",
+                platform::shown(&job.path)
+            ))
+        })
     }
 
     /// Sets the document with which a film ends.

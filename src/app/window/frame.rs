@@ -40,6 +40,7 @@ impl Window {
         let busy = self.is_drawing(ui);
         let error = self.alternatives.follow(&self.tasks, &self.session, &self.growth, busy);
         self.report(error);
+        self.follow_goals(ui, busy);
         if self.presentation == Presentation::Full {
             self.with_panels(ui, &mut actions);
         } else {
@@ -78,12 +79,7 @@ impl Window {
         });
         actions.extend(self.tools(ui));
         let column = self.column_place(ui);
-        if self.alternatives.shown && !self.panels_hidden {
-            let strip = Panel::bottom("alternatives").frame(bar).resizable(false).exact_size(panels::HEIGHT);
-            strip.show(ui, |ui| {
-                actions.extend(panels::alternatives(ui, &mut self.alternatives, &self.growth));
-            });
-        }
+        self.strip(ui, bar, actions);
         CentralPanel::no_frame().show(ui, |ui| actions.extend(self.middle(ui)));
         actions.extend(self.beside(ui, column, status));
     }
@@ -208,6 +204,7 @@ impl Window {
             recovered: self.recovery.undecided(),
             over: self.over,
             tiled: self.texture.tiled,
+            goals: self.goals.shown && !self.panels_hidden,
             alternatives: self.alternatives.shown,
             columns: [self.shows_tools(ui.ctx()), self.shows_column(ui.ctx())],
             hidden: self.panels_hidden,
@@ -267,7 +264,7 @@ impl Window {
         }
         let corner = self.canvas.view.to_screen(sketch, [0.0; 2]);
         self.trace.canvas([corner.x, corner.y], self.canvas.view.zoom);
-        if self.session.is_empty() && !self.canvas.is_busy() {
+        if self.is_blank() && !self.shows_goals(ui.ctx()) {
             let paper = self.canvas.view.paper(sketch, self.session.document().size);
             actions.extend(panels::starters(ui, sketch, paper));
         }

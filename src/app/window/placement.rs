@@ -12,6 +12,7 @@ impl Window {
         self.over = layout.over;
         self.curtain = layout.curtain;
         self.linked = layout.linked;
+        self.goals.shown = layout.goals;
         self.canvas.overlays.regions = layout.regions;
         self.canvas.overlays.analysis = layout.analysis;
         self.canvas.overlays.wanted = layout.wanted;
@@ -25,6 +26,7 @@ impl Window {
         layout.over = self.over;
         layout.curtain = self.curtain;
         layout.linked = self.linked;
+        layout.goals = self.goals.shown;
         layout.regions = self.canvas.overlays.regions;
         layout.analysis = self.canvas.overlays.analysis;
         layout.wanted = self.canvas.overlays.wanted;

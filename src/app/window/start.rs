@@ -14,6 +14,7 @@ use crate::app::alternatives::Alternatives;
 use crate::app::canvas::Canvas;
 use crate::app::cloud::Cloud;
 use crate::app::examples::Gallery;
+use crate::app::goals::Goals;
 use crate::app::growth::Growth;
 use crate::app::notice::Notices;
 use crate::app::panels::{ColourPanel, LayersPanel, MenuKeys, ResultPanel};
@@ -78,6 +79,7 @@ impl Window {
             tab: Tab::default(),
             layers: LayersPanel::default(),
             alternatives: Alternatives::new(results.training.clone()),
+            goals: Goals::new(results.training.clone()),
             results,
             cloud: Cloud::default(),
             colour: ColourPanel::default(),

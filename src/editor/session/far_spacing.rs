@@ -6,6 +6,7 @@
 use super::Session;
 use crate::attributes::free::far_spacing;
 use crate::document::{Document, Layer, limits, tile};
+use crate::machine::threads;
 use crate::marks::Mark;
 
 /// With more marks than this, the spacing hardly changes when some of them change, and computing it takes longer than a
@@ -25,7 +26,9 @@ impl Session {
             if now.strokes == was.strokes || now.far_spacing != was.far_spacing {
                 continue;
             }
-            let known = self.far_spacing.get_or_insert_with(|| all_far_spacings(before, &self.marks));
+            // In a thread of its own: the window must not wait for others in the pool that the whole program shares.
+            let compute = || threads::with(Some(1), || all_far_spacings(before, &self.marks));
+            let known = self.far_spacing.get_or_insert_with(compute);
             let known = known.get(index).copied().flatten();
             let spacing = match self.committed.document.layers.get(index) {
                 // Nothing has changed, so there is nothing to undo.

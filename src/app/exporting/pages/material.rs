@@ -10,7 +10,7 @@ use crate::app::exporting::choices::RELIEF;
 /// The choices.
 pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) {
     rows(ui, "material size", |ui| size(ui, choices, context));
-    let layers = &context.request.document.layers;
+    let document = &context.request.document;
     let material = &mut choices.material;
     ui.add_space(8.0);
     ui.label(RichText::new("Surface").strong());
@@ -22,23 +22,23 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) {
             ui.weak("rough");
         });
         ui.end_row();
-        for (index, layer) in layers.iter().enumerate() {
+        for (index, layer) in document.layers.iter().enumerate() {
             named(
                 ui,
                 &shortened(&layer.name),
                 "Its marks: their height above the ground (below 0: depth), and their roughness",
             );
             ui.horizontal(|ui| {
-                let mut relief = value(&material.relief, index);
+                let mut relief = value(&material.relief_of(document), index);
                 let field = DragValue::new(&mut relief).range(-RELIEF..=RELIEF).speed(0.1).max_decimals(1);
                 if number(ui, &format!("Relief of {}", layer.name), field, " px") {
-                    put(&mut material.relief, index, relief);
+                    material.set_relief(document, index, relief);
                 }
                 ui.weak("high");
                 let mut rough = value(&material.roughness, index + 1);
                 let field = DragValue::new(&mut rough).range(0.0..=1.0).speed(0.01).max_decimals(2);
                 if number(ui, &format!("Roughness of {}", layer.name), field, "") {
-                    put(&mut material.roughness, index + 1, rough);
+                    material.set_roughness(index + 1, rough);
                 }
                 ui.weak("rough");
             });
@@ -53,7 +53,7 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) {
             "Colours and normals with 16 bit; heights always have it",
         );
         ui.end_row();
-        named(ui, "Ground", "The surface between the marks");
+        named(ui, "Opacity", "The ground is the surface between the marks");
         yes(
             ui,
             "transparent",
@@ -70,13 +70,6 @@ pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) {
 /// The value of a layer: the last one for all further layers.
 fn value(values: &[f64], index: usize) -> f64 {
     values.get(index).or(values.last()).copied().unwrap_or_default()
-}
-
-fn put(values: &mut Vec<f64>, index: usize, value: f64) {
-    while values.len() <= index {
-        values.push(values.last().copied().unwrap_or_default());
-    }
-    values[index] = value;
 }
 
 /// A name short enough for its column.

@@ -1,4 +1,5 @@
-//! Grows one alternative after the other on a separate thread, while the sketch is not growing.
+//! Grows one document after the other on a separate thread, for small pictures of what a sketch can become, while the sketch
+//! itself is not growing.
 
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
@@ -6,6 +7,7 @@ use std::sync::Arc;
 use egui::ColorImage;
 
 use crate::document::Document;
+use crate::editor::sketch_part::part;
 use crate::editor::task::{StartError, Task, Tasks, Worker};
 use crate::machine::{free_memory, threads};
 use crate::synth::render::painting::Painting;
@@ -14,10 +16,12 @@ use crate::synth::{GrowError, Grown, Growth, Options, Stage, Training, Watch};
 /// The longest side of a small picture, px: two px for each point on the screen.
 const LONGEST: u32 = 184;
 
-/// An alternative to grow.
-pub(super) struct Job {
-    /// The id of the alternative.
+/// A document to grow.
+pub struct Job {
+    /// The id under which its picture is sent.
     pub id: u64,
+    /// The layer about which a part of the sketch is grown; `None` for all of it.
+    pub about: Option<usize>,
     /// Its document.
     pub document: Document,
     /// A texture that has already grown: of this document, so that it is only painted, or of another one, whose layers
@@ -28,7 +32,7 @@ pub(super) struct Job {
 }
 
 /// What the thread sends.
-pub(super) enum News {
+pub enum News {
     /// A job has begun.
     Begun(u64),
     /// A job has ended.
@@ -39,13 +43,14 @@ pub(super) enum News {
 ///
 /// # Errors
 /// Where no thread can be started.
-pub(super) fn start(
+pub fn start(
+    name: &'static str,
     jobs: Vec<Job>,
     training: &Arc<Training>,
     tasks: &Tasks,
 ) -> Result<Task<News>, StartError> {
     let training = Arc::clone(training);
-    tasks.start("alternatives", move |worker| Growing { worker, training: &training }.run(&jobs))
+    tasks.start(name, move |worker| Growing { worker, training: &training }.run(&jobs))
 }
 
 struct Growing<'a> {
@@ -59,7 +64,7 @@ impl Growing<'_> {
         let pool = threads::pool((threads::cores() / 2).max(1));
         for job in jobs {
             self.worker.send(News::Begun(job.id));
-            // A panic in the growth of one alternative does not stop the others.
+            // A panic in one growth does not stop the others.
             let work = || panic::catch_unwind(AssertUnwindSafe(|| self.work(job)));
             let worked = match &pool {
                 Ok(pool) => pool.install(work),
@@ -88,6 +93,8 @@ impl Growing<'_> {
         let cancelled = || self.worker.is_cancelled();
         let watch = Watch { progress: &progress, cancelled: &cancelled };
         watch.step(Stage::Plan, 0.0)?;
+        let part = job.about.map(|layer| part(&job.document, layer));
+        let document = part.as_ref().unwrap_or(&job.document);
         let grown = match &job.known {
             Some(known) if job.grown => Arc::clone(known),
             known => {
@@ -98,10 +105,10 @@ impl Growing<'_> {
                     watch,
                     ..Options::default()
                 };
-                Arc::new(Growth::begin(&job.document, &options, known.as_deref()).run()?)
+                Arc::new(Growth::begin(document, &options, known.as_deref()).run()?)
             }
         };
-        let image = Arc::new(small(&job.document, &grown));
+        let image = Arc::new(small(document, &grown));
         Ok((grown, image))
     }
 }
