@@ -67,8 +67,19 @@ impl Skeleton {
         }
     }
 
+    /// Whether the four samples beside a sample are on; no pass removes it then.
+    fn is_inner(&self, index: usize) -> bool {
+        let [x, y] = [index % self.side, index / self.side];
+        let within = |along: usize| along > 0 && along + 1 < self.side;
+        let beside = || [index - 1, index + 1, index - self.side, index + self.side];
+        within(x) && within(y) && beside().iter().all(|other| self.on[*other])
+    }
+
     /// Whether a pass removes a sample: P2 … P9 of the paper are its neighbours clockwise from above.
     fn is_removed(&self, index: usize, second: bool) -> bool {
+        if self.is_inner(index) {
+            return false;
+        }
         let p = self.around(index);
         let count = p.iter().filter(|on| **on).count();
         let lines = (0..8).filter(|k| !p[*k] && p[(k + 1) % 8]).count();
