@@ -38,7 +38,7 @@
 //! |---|---|---|
 //! | base | `grid`, `surface`, `marks`, `attributes` | the base modules before them |
 //! | steps | `sketch`, `measure`, `learn`, `rd`, `points`, `colour`, `export`, `finish` | base, never each other |
-//! | pipeline | `photo`, [`document`], `synth` | base, steps, and the pipeline modules before them; `document` and `photo` do not import each other |
+//! | pipeline | `photo`, [`document`], `synth`, [`data_set`] | base, steps, and the pipeline modules before them; `document` and `photo` do not import each other |
 //! | shell | [`machine`], [`files`], [`editor`] | the three above, and the shell modules before them |
 //! | entry points | `cli`, `app` (features) | everything; nothing imports them |
 //!
@@ -76,6 +76,7 @@
 pub use dapple_engine as engine;
 #[cfg(feature = "app")]
 use dapple_engine::colour;
+pub use dapple_engine::data_set;
 pub use dapple_engine::document;
 #[cfg(feature = "cli")]
 use dapple_engine::finish;

@@ -5,6 +5,7 @@
 
 mod bench;
 mod check;
+mod data_set;
 #[cfg(test)]
 mod documented;
 mod error;
@@ -24,6 +25,7 @@ mod map_argument;
 mod measure;
 mod paths;
 mod progress;
+mod schema;
 mod settings;
 pub(crate) mod sheet;
 mod values;
@@ -67,6 +69,10 @@ enum Command {
     Check(check::Args),
     /// Compare the training sets with other methods and with grown textures
     Learn(learn::Args),
+    /// Make labelled textures of random sketches, by the thousand
+    DataSet(data_set::Args),
+    /// Print the JSON Schema of documents
+    Schema,
     /// Print a link that holds a document
     Link(link::Args),
     /// Measure how fast this machine is
@@ -135,6 +141,8 @@ fn run(command: Command) -> Result<(), Error> {
         Command::Measure(args) => measure::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Learn(args) => learn::run(&args),
+        Command::DataSet(args) => data_set::run(&args),
+        Command::Schema => schema::run(),
         Command::Link(args) => link::run(&args),
         Command::Bench(args) => bench::run(&args),
         Command::Completions(args) => manual::completions(&args),

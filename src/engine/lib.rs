@@ -35,3 +35,6 @@ pub mod photo;
 // (photo: reads pictures with measure and colour, and makes the parts of documents)
 pub mod document;
 pub mod synth;
+
+// Beside it.
+pub mod data_set;

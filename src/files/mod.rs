@@ -7,6 +7,7 @@
 mod abandon;
 mod document;
 mod film;
+mod folder;
 mod heights;
 mod import;
 mod input;
@@ -22,6 +23,7 @@ mod training;
 pub use abandon::{abandon, remove_empty_folders};
 pub use document::{ReadFile, WriteFile, as_link, in_picture, open, source};
 pub use film::{PreparedFilm, SaveFilm, film_kind, write_film};
+pub use folder::write_folder;
 pub use heights::read_heights;
 pub use import::{import_photo, import_svg, is_svg, measure_file, measure_patches, open_picture, read_tone};
 pub use input::{Input, input, is_pipe, is_standard_output, stem};
@@ -29,8 +31,8 @@ pub use maps::prepare_maps;
 pub use model::{ModelFile, read_model};
 pub use pictures::{SavePicture, check_picture, prepare_concentrations};
 pub use save::{
-    Prepared, Unfinished, begin, check_content, check_ending, check_file, keep_all, make_folder, prepare,
-    save,
+    Prepared, Unfinished, begin, check_content, check_ending, check_file, folder_of, keep_all, make_folder,
+    prepare, save,
 };
 pub use temporary_folder::TemporaryFolder;
 pub use texture::SaveTexture;

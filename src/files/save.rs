@@ -213,7 +213,9 @@ fn target_of(path: &Path) -> Result<PathBuf, ExportError> {
     }
 }
 
-pub(super) fn folder_of(path: &Path) -> PathBuf {
+/// The folder in which the file `path` is.
+#[must_use]
+pub fn folder_of(path: &Path) -> PathBuf {
     match path.parent() {
         Some(folder) if folder != Path::new("") => folder.to_owned(),
         _ => PathBuf::from("."),

@@ -33,6 +33,21 @@ pub fn with<T: Send>(threads: Option<usize>, work: impl FnOnce() -> T + Send) ->
     }
 }
 
+/// Runs `work` on so many threads at once, each with a pool of its own of one thread, and waits for all of them: for work of many
+/// small parts that are done one by one.
+///
+/// # Errors
+/// Where the system does not have enough threads left.
+pub fn each(threads: usize, work: impl Fn() + Sync) -> Result<(), ThreadPoolBuildError> {
+    let pools: Vec<ThreadPool> = (0..threads).map(|_| pool(1)).collect::<Result<_, _>>()?;
+    thread::scope(|scope| {
+        for pool in &pools {
+            scope.spawn(|| pool.install(&work));
+        }
+    });
+    Ok(())
+}
+
 /// Sets the number of threads of the pool that all of the program shares. Has no effect once that pool has been used.
 pub fn set_shared(threads: usize) {
     // An error says that the pool exists already.

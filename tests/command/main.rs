@@ -2,6 +2,7 @@
 
 mod batch;
 mod command_line;
+mod data_set;
 mod examples;
 mod grow;
 mod idle;
@@ -13,6 +14,7 @@ mod outlines;
 mod photos;
 mod pictures;
 mod reach;
+mod scripting;
 mod sheet;
 
 /// The pictures or documents to try, of several that test the same thing: one out of `of`, or all of them where

@@ -19,7 +19,7 @@ use std::process::Command;
 use sources::root;
 
 /// Entries allowed at the top of the tree, besides dotfiles and licences.
-const TOP: [&str; 14] = [
+const TOP: [&str; 15] = [
     "Cargo.toml",
     "Cargo.lock",
     "README.md",
@@ -33,6 +33,7 @@ const TOP: [&str; 14] = [
     "assets",
     "docs",
     "fuzz",
+    "python",
     "web",
 ];
 

@@ -67,6 +67,7 @@ pub const ADDRESSES: [(&str, &[&str]); 43] = [
     (
         "serde_json",
         &[
+            "src/engine/data_set/",
             "src/engine/document/",
             "src/engine/export/body/glb.rs",
             "src/editor/",

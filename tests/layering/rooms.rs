@@ -9,7 +9,7 @@ const BASE: [&str; 4] = ["grid", "surface", "marks", "attributes"];
 /// These rooms import from the base, not from each other.
 const STEPS: [&str; 8] = ["sketch", "measure", "learn", "rd", "points", "colour", "export", "finish"];
 /// The pipeline: these rooms import from base and steps, and each only from the ones before it.
-const PIPELINE: [&str; 3] = ["photo", "document", "synth"];
+const PIPELINE: [&str; 4] = ["photo", "document", "synth", "data_set"];
 /// The rooms of the shell below the entry points. They import from the engine; each only from the ones before it.
 const SHELL: [&str; 3] = ["machine", "files", "editor"];
 /// The entry points import from everything. Nothing imports from them, except that the command line opens the window.

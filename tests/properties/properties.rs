@@ -9,6 +9,7 @@ mod growing;
 #[path = "../fuzz/bodies/memory.rs"]
 mod memory;
 mod regions;
+mod schema;
 mod tensors;
 
 use proptest::test_runner::Config;

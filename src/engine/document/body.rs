@@ -3,8 +3,10 @@
 use std::fmt;
 
 use crate::document::Problem;
+use crate::document::choices::names;
 use crate::document::limits::{self, Range};
 use crate::document::node::Node;
+use crate::document::shape::{ANY, Key, Object, Shape};
 use crate::surface::BODIES;
 
 /// A model on whose surface a document grows, and how the sketch is applied to it. All coordinates are those of the model's file.
@@ -158,9 +160,123 @@ impl fmt::Display for BodySource {
     }
 }
 
+const IN_SPACE: Shape = Shape::Numbers(&[limits::MODEL; 3]);
+const POLYLINE: Shape = Shape::List(&IN_SPACE, [2, ANY]);
+const AXIS: Shape = Shape::Choice(|| names(&Axis::NAMES));
+const NAME: Shape = Shape::Text([1, limits::MAX_NAME]);
+const REGION: [u64; 2] = [0, limits::MAX_REGIONS as u64 - 1];
+
+pub(super) static MODEL: Object = Object {
+    name: "Model",
+    keys: &[
+        Key::new(
+            "file",
+            NAME,
+            Key::REQUIRED,
+            "the path of an `.obj`, `.ply`, `.stl`, `.glb` or `.gltf` file, relative to the folder of the document; or a model that is built in: `sphere`, `torus`, `cylinder`, `capsule`, `cube`, `animal`, `spindle`, `vase`, `shell`, `snake`, `egg`",
+        ),
+        Key::new(
+            "sha256",
+            Shape::Hexadecimal("", &[64]),
+            Key::NONE,
+            "of the bytes of the file, so that another file of that name is noticed; means nothing of a built-in model",
+        ),
+        Key::new(
+            "px",
+            Shape::Number(limits::BODY_SIDE),
+            "900",
+            "the longest side of its bounding box, in px of the sketch",
+        ),
+        Key::new("up", AXIS, "\"y\"", "which axis points up in pictures"),
+        Key::new(
+            "along",
+            AXIS,
+            "\"x\"",
+            "the axis along which +x of the sketch points, projected on the surface",
+        ),
+        Key::new(
+            "pins",
+            Shape::List(&Shape::Object(&PIN), [0, limits::MAX_PINS]),
+            "[]",
+            "where on the model a region, or the whole sketch, holds; without pins the whole sketch holds everywhere",
+        ),
+        Key::new(
+            "strokes",
+            Shape::List(&Shape::Object(&STROKE), [0, limits::MAX_PINS]),
+            "[]",
+            "lines on the model that +x of the sketch follows: objects with `points`, two or more `[x, y, z]`",
+        ),
+        Key::new(
+            "only",
+            Shape::List(&NAME, [0, limits::MAX_PINS]),
+            "[]",
+            "the groups and materials that are grown on, by name; the others are shown as they are",
+        ),
+    ],
+};
+
+static PIN: Object = Object {
+    name: "Pin",
+    keys: &[
+        Key::new(
+            "region",
+            Shape::Wholes(&[REGION; 2]),
+            "[0, 0]",
+            "column and row of the region that holds there, with one row and column of regions `[0, 0]`",
+        ),
+        Key::new("at", IN_SPACE, Key::REQUIRED, "the place; the nearest place of the surface is meant"),
+        Key::new(
+            "toward",
+            IN_SPACE,
+            Key::NONE,
+            "where +x of the region points, projected on the surface; without it along the axis `along`",
+        ),
+    ],
+};
+
+static STROKE: Object = Object {
+    name: "Stroke of a model",
+    keys: &[Key::new("points", POLYLINE, Key::REQUIRED, "a line on the model that +x of the sketch follows")],
+};
+
+pub(super) static ELLIPSE_ON_MODEL: Object = Object {
+    name: "Ellipse on the model",
+    keys: &[
+        Key::new("kind", Shape::Choice(|| vec!["ellipse"]), Key::REQUIRED, "what it is"),
+        Key::new("at", IN_SPACE, Key::REQUIRED, "its centre; the nearest place of the surface is meant"),
+        Key::new(
+            "normal",
+            IN_SPACE,
+            Key::NONE,
+            "which way the surface faces there: tells the two sides of a thin sheet apart",
+        ),
+        Key::new(
+            "radii",
+            Shape::Numbers(&[Range::THICKNESS; 2]),
+            Key::REQUIRED,
+            "along the angle and across it, px, 0.01 to `px` of the model",
+        ),
+        Key::new(
+            "angle",
+            Shape::Number(Range::ANGLE),
+            "0",
+            "degrees from the projected axis `along`, clockwise seen from outside",
+        ),
+    ],
+};
+
+pub(super) static PATH_ON_MODEL: Object = Object {
+    name: "Path on the model",
+    keys: &[
+        Key::new("kind", Shape::Choice(|| vec!["line", "path"]), Key::REQUIRED, "what it is"),
+        Key::new("points", POLYLINE, Key::REQUIRED, "its points in order, in the coordinates of the model"),
+        Key::new("width", Shape::Number(Range::THICKNESS), "6", "its width, px"),
+    ],
+};
+
 /// Reads the model of a document with `regions` columns and rows of regions.
 pub(super) fn read(node: &Node, regions: [u32; 2]) -> Result<Body, Problem> {
-    node.keys(&["file", "sha256", "px", "up", "along", "pins", "strokes", "only"])?;
+    node.is(&MODEL)?;
     let source = source(node)?;
     let axis = |key, default| node.get(key).map_or(Ok(default), |node| node.choice(&Axis::NAMES));
     let body = Body {
@@ -226,7 +342,7 @@ fn digest(node: &Node) -> Result<[u8; 32], Problem> {
 }
 
 fn pin(node: &Node, [columns, rows]: [u32; 2]) -> Result<Pin, Problem> {
-    node.keys(&["region", "at", "toward"])?;
+    node.is(&PIN)?;
     let region = match node.get("region") {
         Some(node) => index(&node, [columns, rows])?,
         None => [0, 0],
@@ -260,7 +376,7 @@ fn direction(node: &Node) -> Result<[f64; 3], Problem> {
 const POINTS: &str = "a list of points [x, y, z] in the coordinates of the model";
 
 fn stroke(node: &Node) -> Result<Vec<[f64; 3]>, Problem> {
-    node.keys(&["points"])?;
+    node.is(&STROKE)?;
     points(&node.need("points", POINTS)?)
 }
 
@@ -290,12 +406,12 @@ pub(super) fn mark(node: &Node, px: f64) -> Result<BodyMark, Problem> {
     let thickness = Range { low: limits::MIN_LENGTH, high: px, unit: "px" };
     let kinds = [("ellipse", true), ("line", false), ("path", false)];
     if !node.need("kind", "ellipse, line or path")?.choice(&kinds)? {
-        node.keys(&["kind", "points", "width"])?;
+        node.is(&PATH_ON_MODEL)?;
         let points = points(&node.need("points", POINTS)?)?;
         let width = node.get("width").map_or(Ok(super::Stroke::WIDTH), |node| node.number(&thickness))?;
         return Ok(BodyMark::Path { points, width });
     }
-    node.keys(&["kind", "at", "normal", "radii", "angle"])?;
+    node.is(&ELLIPSE_ON_MODEL)?;
     Ok(BodyMark::Ellipse(BodyEllipse {
         at: node.need("at", "[x, y, z] in the coordinates of the model")?.numbers([limits::MODEL; 3])?,
         normal: node.get("normal").map(|node| direction(&node)).transpose()?,

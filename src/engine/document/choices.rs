@@ -106,6 +106,11 @@ impl After {
     }
 }
 
+/// All these names.
+pub(super) fn names<T>(choices: &[(&'static str, T)]) -> Vec<&'static str> {
+    choices.iter().map(|(name, _)| *name).collect()
+}
+
 /// The name of `one` among these.
 pub fn name_in<T: Copy + PartialEq>(names: &[(&'static str, T)], one: T) -> &'static str {
     names.iter().find(|(_, other)| *other == one).map_or("", |(name, _)| name)

@@ -1,7 +1,9 @@
 //! The finish of a texture (`"finish"`), and the layer of hair that says in which direction it lies (`"system": "hair"`).
 
+use crate::document::choices::names;
 use crate::document::limits::Range;
 use crate::document::node::{Node, number};
+use crate::document::shape::{ANY, Key, Object, Shape};
 use crate::document::{Kind, Problem, Stroke, strokes};
 use crate::finish;
 use crate::finish::Finish;
@@ -45,9 +47,46 @@ impl From<Finish> for Finishing {
     }
 }
 
+pub(super) static FINISH: Object = Object {
+    name: "Finish",
+    keys: &[
+        Key::new("kind", Shape::Choice(|| names(&finish::Kind::NAMES)), Key::REQUIRED, "the material"),
+        Key::new(
+            "size",
+            Shape::Number(SIZE),
+            "10",
+            "the size of its parts, of fur the mean length of a hair, px; each kind has a default of its own",
+        ),
+        Key::new(
+            "flow",
+            Shape::Number(Range::ANGLE),
+            Key::NONE,
+            "the direction of hair or scales from head to tail, degrees from +x towards +y, not axial; only with fur, fish-scales and reptile-scales. Without it: across the stripes where the lowest visible layer has such, otherwise 190",
+        ),
+    ],
+};
+
+pub(super) static HAIR_LAYER: Object = Object {
+    name: "Layer of hair",
+    keys: &[
+        Key::new(
+            "system",
+            Shape::Choice(|| vec![HAIR]),
+            Key::REQUIRED,
+            "directions of the finish: nothing grows from it",
+        ),
+        Key::new(
+            "strokes",
+            Shape::List(&strokes::STROKE, [1, ANY]),
+            Key::REQUIRED,
+            "lines, paths and open freehand strokes that hair or scales follow from the first point to the last one",
+        ),
+    ],
+};
+
 /// The finish of a document.
 pub(super) fn read(node: &Node) -> Result<Finishing, Problem> {
-    node.keys(&["kind", "size", "flow"])?;
+    node.is(&FINISH)?;
     let kind = node.need("kind", "the name of a finish, such as \"fur\"")?.choice(&finish::Kind::NAMES)?;
     let size = node.get("size").map_or(Ok(kind.usual_size()), |node| node.number(&SIZE))?;
     let flow = match node.get("flow") {
@@ -76,7 +115,7 @@ pub(super) fn is_hair(layer: &Node) -> bool {
 
 /// The strokes of a layer of hair on a canvas of `size` px.
 pub(super) fn hair(layer: &Node, size: [u32; 2]) -> Result<Vec<Stroke>, Problem> {
-    layer.keys(&["system", "strokes"])?;
+    layer.is(&HAIR_LAYER)?;
     let allowed = "lines, paths and open freehand strokes, from the head to the tail";
     let list = layer.need("strokes", allowed)?;
     let found = strokes::on_canvas_of(&list, size)?;

@@ -150,17 +150,21 @@ pub struct Range {
 impl Range {
     /// Any finite number of degrees: angles are axial and read mod 180.
     pub const ANGLE: Self = Self { low: f64::MIN, high: f64::MAX, unit: "degrees" };
+    /// A radius or width on the largest canvas.
+    pub const THICKNESS: Self = Self { low: MIN_LENGTH, high: MAX_SIDE as f64, unit: "px" };
+    /// A coordinate on the largest canvas and around it.
+    pub const AROUND: Self = Self { low: -(MAX_SIDE as f64), high: 2.0 * MAX_SIDE as f64, unit: "px" };
 
     /// A radius or width on a canvas of `size` px: no thicker than the canvas' longer side.
     #[must_use]
     pub fn thickness(size: [u32; 2]) -> Self {
-        Self { low: MIN_LENGTH, high: f64::from(size[0].max(size[1])), unit: "px" }
+        Self { high: f64::from(size[0].max(size[1])), ..Self::THICKNESS }
     }
 
     /// A coordinate of a centre, an end or a point, which may be outside the canvas by as much as the length of its side.
     #[must_use]
     pub fn around(side: u32) -> Self {
-        Self { low: -f64::from(side), high: 2.0 * f64::from(side), unit: "px" }
+        Self { low: -f64::from(side), high: 2.0 * f64::from(side), ..Self::AROUND }
     }
 
     /// The corners of the rectangle around a canvas of `size` px in which [`Self::around`] keeps points.

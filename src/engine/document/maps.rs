@@ -3,6 +3,7 @@
 use crate::document::Problem;
 use crate::document::limits::{self, Range};
 use crate::document::node::Node;
+use crate::document::shape::{Key, Object, Shape};
 use crate::document::tone::{self, ToneImage};
 
 /// The attribute that a map varies.
@@ -217,9 +218,110 @@ impl LayerMaps {
     }
 }
 
+/// A map of any key. The values that one key allows are those of [`MapKey::allowed`]: a part of these.
+const ANY_MAP: Shape = Shape::AnyOf(&[Shape::Object(&MAP), Shape::Object(&OF_NOISE)]);
+const VALUES: Shape =
+    Shape::Numbers(&[Range { low: limits::MAP_DIRECTION.low, high: limits::MAP_AREA.high, unit: "" }; 2]);
+
+pub(super) static MAPS: Object = Object {
+    name: "Maps",
+    keys: &[
+        Key::new(
+            "area",
+            ANY_MAP,
+            Key::NONE,
+            "the area of spots, px²: 1 to 10⁸. Where nothing says how far apart spots are, their spacing goes with √area. Of a field of points the probability of dark points goes with it",
+        ),
+        Key::new(
+            "spacing",
+            ANY_MAP,
+            Key::NONE,
+            "the spacing of spots; the period of stripes and threads, whose width goes with it; the distance of points, px: 1 to 10,000",
+        ),
+        Key::new(
+            "direction",
+            ANY_MAP,
+            Key::NONE,
+            "the direction, degrees: −720 to 720; of a weave or a maze that of the threads drawn first, to which the others keep their angle",
+        ),
+        Key::new("aspect", ANY_MAP, Key::NONE, "the aspect of spots: 0.2 to 1"),
+        Key::new(
+            "duty",
+            ANY_MAP,
+            Key::NONE,
+            "width ÷ period of stripes and threads, whose period stays: 0.18 to 0.82",
+        ),
+        Key::new(
+            "colour",
+            ANY_MAP,
+            Key::NONE,
+            "the place in the gradient of `colours` at which a pattern value is painted: the ends of ground (0) and marks (1) are shifted by −0.5 to 0.5, and less towards the edge (0.5), which stays",
+        ),
+        Key::new(
+            "growth",
+            ANY_MAP,
+            Key::NONE,
+            "the growth of `\"system\": \"turing-growth\"`: 17.5 (dots) to 27.5 (holes); 22 (worms) without a map",
+        ),
+    ],
+};
+
+static MAP: Object = Object {
+    name: "Map",
+    keys: &[
+        Key::new("image", Shape::Object(&tone::IMAGE), Key::REQUIRED, "the picture, as that of a tone"),
+        Key::new(
+            "range",
+            VALUES,
+            Key::REQUIRED,
+            "the values where it is black, and where it is white, in place of what the sketch asks for",
+        ),
+        Key::new(
+            "factor",
+            Shape::Flag,
+            "false",
+            "whether what the sketch asks for is multiplied instead, by 0.1 to 10. Directions are turned by −720 to 720 degrees. Of places in the gradient, which are shifted otherwise, the distance from the edge (0.5) is multiplied",
+        ),
+    ],
+};
+
+static OF_NOISE: Object = Object {
+    name: "Map of noise",
+    keys: &[Key::new(
+        "noise",
+        Shape::Object(&NOISE),
+        Key::REQUIRED,
+        "random values at scattered points, interpolated",
+    )],
+};
+
+static NOISE: Object = Object {
+    name: "Map noise",
+    keys: &[
+        Key::new(
+            "size",
+            Shape::Number(limits::MAP_SIZE),
+            Key::REQUIRED,
+            "the distance from a light place to the next dark one; less than 1/64 of the longer side of the canvas counts as that",
+        ),
+        Key::new(
+            "octaves",
+            Shape::Whole([1, limits::MAP_OCTAVES as u64]),
+            "2",
+            "how many noises are added, each of half the size and half the weight of the one before it",
+        ),
+        Key::new(
+            "range",
+            Shape::Numbers(&[limits::MAP_DIRECTION; 2]),
+            Key::REQUIRED,
+            "the values at the lowest and the highest: factors 0.1 to 10, turns −720 to 720 degrees, shifts −0.5 to 0.5",
+        ),
+    ],
+};
+
 /// Reads the maps of a layer.
 pub(super) fn read(node: &Node) -> Result<LayerMaps, Problem> {
-    node.keys(&MapKey::ALL.map(MapKey::name))?;
+    node.is(&MAPS)?;
     let mut maps = LayerMaps::default();
     for key in MapKey::ALL {
         maps.set(key, node.get(key.name()).map(|node| map(&node, key)).transpose()?);
@@ -233,8 +335,8 @@ const REMEDY: &str = "dapple grow --map embeds any picture so";
 fn map(node: &Node, key: MapKey) -> Result<LayerMap, Problem> {
     const ALLOWED: &str = "an object {\"image\": …, \"range\": […]} or {\"noise\": …}, not both";
     if let Some(noise) = node.get("noise") {
-        node.keys(&["noise"]).map_err(|problem| Problem { allowed: ALLOWED.to_owned(), ..problem })?;
-        noise.keys(&["size", "octaves", "range"])?;
+        node.is(&OF_NOISE).map_err(|problem| Problem { allowed: ALLOWED.to_owned(), ..problem })?;
+        noise.is(&NOISE)?;
         let size = noise.need("size", &limits::MAP_SIZE.to_string())?.number(&limits::MAP_SIZE)?;
         let octaves = noise
             .get("octaves")
@@ -243,7 +345,7 @@ fn map(node: &Node, key: MapKey) -> Result<LayerMap, Problem> {
         let map = LayerMap { source: MapSource::Noise { size, octaves: octaves as u32 }, range: [0.0; 2] };
         return ranged(&noise, key, map);
     }
-    node.keys(&["image", "range", "factor"])?;
+    node.is(&MAP)?;
     let image = node.get("image").ok_or_else(|| node.found("no key \"image\"", ALLOWED))?;
     let image = tone::image(&image, REMEDY)?;
     let factor = node.get("factor").map_or(Ok(false), |node| node.flag())?;

@@ -137,7 +137,9 @@ pub mod palette;
 mod parametric;
 mod points;
 mod reader;
+mod schema;
 mod setting;
+mod shape;
 mod side_by_side;
 #[doc(hidden)]
 pub mod sketch_notes;
@@ -171,6 +173,7 @@ pub use option_key::OptionKey;
 pub use outline::Outline;
 pub use parametric::{ParametricSurface, Relief};
 pub use points::{Interpolation, Labels, Points, Progression, Towards};
+pub use schema::schema;
 pub use setting::Setting;
 pub use system_choice::SystemChoice;
 pub use tone::{Drives, Tone, ToneImage};

@@ -2,6 +2,7 @@
 
 use crate::document::error::Problem;
 use crate::document::limits::Range;
+use crate::document::shape::Object;
 use serde_json::{Map, Value, json};
 
 /// A value and the path that leads to it.
@@ -45,6 +46,12 @@ impl<'a> Node<'a> {
     /// The problem that there is `found` here, in words.
     pub(super) fn found(&self, found: impl Into<String>, allowed: impl Into<String>) -> Problem {
         Problem::new(self.place(), found, allowed)
+    }
+
+    /// Checks that it is an object with no other keys than those of the table.
+    pub(super) fn is(&self, object: &Object) -> Result<(), Problem> {
+        let known: Vec<&str> = object.keys.iter().map(|key| key.name).collect();
+        self.keys(&known)
     }
 
     /// Checks that it is an object with no other keys than `known`.

@@ -3,9 +3,10 @@
 use serde_json::{Map, Value, json};
 
 use crate::attributes::Spread;
-use crate::document::choices::{SEEDINGS, name_in};
+use crate::document::choices::{SEEDINGS, name_in, names};
 use crate::document::limits::{self, Range};
 use crate::document::node::{Node, number};
+use crate::document::shape::{Key, Object, Shape};
 use crate::document::{DrawnOr, LayerOptions, Over, Problem, Seeding, SpreadChoice};
 
 /// One key of a layer's `options`.
@@ -150,9 +151,88 @@ impl OptionKey {
     }
 }
 
+const DRAWN: Shape = Shape::Choice(|| vec!["drawn"]);
+
+pub(super) static OPTIONS: Object = Object {
+    name: "Options",
+    keys: &[
+        Key::new(
+            "spread",
+            Shape::AnyOf(&[DRAWN, Shape::Number(limits::SPREAD_AREA), Shape::Object(&SPREAD)]),
+            "\"drawn\"",
+            "how much spots vary: as the drawn ones of their region (at least six), by this much in area, or by numbers",
+        ),
+        Key::new(
+            "irregular",
+            Shape::Number(limits::IRREGULAR),
+            "0",
+            "how irregular the shapes of spots are: 0 grows ellipses, 1 beans, bars and drops",
+        ),
+        Key::new(
+            "duty",
+            Shape::AnyOf(&[DRAWN, Shape::Number(limits::DUTY)]),
+            "\"drawn\"",
+            "width ÷ period of stripes: that of the drawn lines that lie side by side, with regions of those of each (0.5 where none do; of streaks 0.4, of cracks 0.1), or this",
+        ),
+        Key::new(
+            "seeding",
+            Shape::Choice(|| names(&SEEDINGS)),
+            "\"noise\"",
+            "what stripes begin from: noise of their direction, short segments, the drawn lines alone",
+        ),
+        Key::new("broken", Shape::Number(limits::BROKEN), "0", "the share of each ring that is open"),
+        Key::new(
+            "keep",
+            Shape::Flag,
+            Key::NONE,
+            "whether the drawn marks are among those that grow; without it they are where there are no regions or one, and `irregular` is 0; marks on a model are kept unless it is false",
+        ),
+        Key::new(
+            "ragged",
+            Shape::AnyOf(&[DRAWN, Shape::Number(limits::RAGGED)]),
+            "\"drawn\"",
+            "how ragged the edges of patches, spots and stripes are: of patches as the drawn outlines (ellipses are smooth), of spots and stripes as they grow, or by this σ: the standard deviation of the logarithm of the distance by which patches claim their points, and on spots and stripes what adds as much to the raggedness",
+        ),
+        Key::new(
+            "detail",
+            Shape::Number(limits::DETAIL),
+            "24",
+            "points from which a patch is made, at least: the more, the finer its fringes; of streaks the points along one, at most: the more, the longer it is",
+        ),
+        Key::new(
+            "gap",
+            Shape::AnyOf(&[DRAWN, Shape::Number(limits::GAP)]),
+            "\"drawn\"",
+            "width of the lines between cells: the mean of the lines drawn beside the ellipses, else that of the gaps between drawn outlines that nearly touch (0.2 of √area of the smallest where none do); or this",
+        ),
+        Key::new(
+            "decay",
+            Shape::Number(limits::DECAY),
+            "0.8",
+            "how far the gain of stucco falls, 1 − the last ÷ the first: the more, the fewer worms beside dots",
+        ),
+        Key::new(
+            "over",
+            Shape::Choice(|| names(&Over::NAMES)),
+            "\"level\"",
+            "which threads of a weave lie over the others where they cross: none; one over and one under; two over and one or two under; random",
+        ),
+    ],
+};
+
+static SPREAD: Object = Object {
+    name: "Spread",
+    keys: &[
+        Key::new("area", Shape::Number(limits::SPREAD_AREA), "0", "coefficient of variation"),
+        Key::new("angle", Shape::Number(limits::SPREAD_ANGLE), "0", "root mean square deviation"),
+        Key::new("aspect", Shape::Number(limits::SPREAD_ASPECT), "0", "standard deviation"),
+        Key::new("spacing", Shape::Number(limits::SPREAD_SPACING), "0", "coefficient of variation"),
+    ],
+};
+
 /// The options in an object of a document.
 pub(super) fn read(node: &Node) -> Result<LayerOptions, Problem> {
-    node.keys(&OptionKey::ALL.map(OptionKey::name))?;
+    node.is(&OPTIONS)?;
     let mut options = LayerOptions::default();
     for key in OptionKey::ALL {
         if let Some(value) = node.get(key.name()) {
@@ -193,7 +273,7 @@ fn over_json(over: Over) -> Value {
 /// `"drawn"`, the variation of the area, or an object.
 fn spread(node: &Node) -> Result<SpreadChoice, Problem> {
     if node.is_object() {
-        node.keys(&Spread::ZERO.named().map(|(attribute, _)| attribute.name()))?;
+        node.is(&SPREAD)?;
         let number = |key: &str, range| node.get(key).map_or(Ok(0.0), |node| node.number(range));
         return Ok(SpreadChoice::Given(Spread {
             area: number("area", &limits::SPREAD_AREA)?,

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::document::Problem;
 use crate::document::limits;
 use crate::document::node::Node;
+use crate::document::shape::{Key, Object, Shape};
 use crate::surface::HeightField;
 
 /// A surface x(u) over the points u of the canvas. The attributes of the sketch hold on the surface; the canvas is its flat map.
@@ -67,16 +68,44 @@ impl Relief {
     }
 }
 
+pub(super) static HEIGHTS: Object = Object {
+    name: "Height field",
+    keys: &[
+        Key::new(
+            "height",
+            Shape::Text([1, limits::MAX_NAME]),
+            Key::REQUIRED,
+            "a picture of heights, relative to the folder of the document; stretched over the canvas",
+        ),
+        Key::new(
+            "scale",
+            Shape::Number(limits::RELIEF),
+            Key::REQUIRED,
+            "by how many px white is higher than black",
+        ),
+    ],
+};
+
+pub(super) static SURFACE: Object = Object {
+    name: "Surface",
+    keys: &[Key::new(
+        "surface",
+        Shape::Choice(|| vec![ParametricSurface::TORUS]),
+        Key::REQUIRED,
+        "the surface of which the canvas is the flat map",
+    )],
+};
+
 /// The parametric surface of a model; `None` for other models.
 pub(super) fn read(node: &Node) -> Result<Option<ParametricSurface>, Problem> {
     if let Some(surface) = node.get("surface") {
-        node.keys(&["surface"])?;
+        node.is(&SURFACE)?;
         return surface.choice(&[(ParametricSurface::TORUS, ())]).map(|()| Some(ParametricSurface::Torus));
     }
     if node.get("height").is_none() && node.get("scale").is_none() {
         return Ok(None);
     }
-    node.keys(&["height", "scale"])?;
+    node.is(&HEIGHTS)?;
     let allowed =
         format!("the path of a picture beside the document, of 1 to {} characters", limits::MAX_NAME);
     let height = node.need("height", &allowed)?;

@@ -1,7 +1,11 @@
 //! Settings of a field of points (`"points"`).
 
+mod labels;
+
+use crate::document::choices::names;
 use crate::document::limits::{self, Range};
 use crate::document::node::Node;
+use crate::document::shape::{Key, Object, Shape};
 use crate::document::systems::POINTS;
 use crate::document::tone::{self, ToneImage};
 use crate::document::{Colours, Layer, Problem, SystemChoice};
@@ -271,26 +275,85 @@ pub enum Towards {
     Angle(f64),
 }
 
+const DISTANCE: Shape = Shape::Number(limits::POINT_DISTANCE);
+const WAYS: [&str; 3] = ["across", "down", "outward"];
+const SIDES: [&str; 2] = ["random", "outward"];
+
+pub(super) static FIELD: Object = Object {
+    name: "Points",
+    keys: &[
+        Key::new(
+            "distance",
+            Shape::AnyOf(&[DISTANCE, Shape::Numbers(&[limits::POINT_DISTANCE; 2])]),
+            Key::NONE,
+            "the least distance of two points (the radius of Poisson discs); a larger canvas holds more of them. On `wrap` at most half the diagonal of the canvas, or one point would be all. In a progression each step is the same factor. Without it: the spacing of the drawn ellipses, and with none 1/16 of the longer side",
+        ),
+        Key::new(
+            "progression",
+            Shape::AnyOf(&[Shape::Choice(|| WAYS.to_vec()), Shape::Object(&tone::IMAGE)]),
+            "\"across\"",
+            "the way from the first number of a list to the second: from left to right, from top to bottom, from the middle to the corners, or from black to white of a picture stretched over the canvas. On `wrap` the first two go to the middle and back",
+        ),
+        Key::new(
+            "labels",
+            labels::SHAPE,
+            "{\"kind\": \"random\", \"dark\": 0.5}",
+            "what gives the points their values, see the next table",
+        ),
+        Key::new(
+            "octaves",
+            Shape::Whole([1, limits::POINT_OCTAVES as u64]),
+            "1",
+            "how many fields are added, each of half the distance and half the weight of the one before it; those finer than a cell are left out",
+        ),
+        Key::new(
+            "fold",
+            Shape::Flag,
+            "false",
+            "whether each octave is folded at its middle, 2·abs(T − ½): turbulence",
+        ),
+        Key::new(
+            "interpolation",
+            Shape::Choice(|| names(&Interpolation::NAMES)),
+            "\"smooth\"",
+            "whether a place between points takes the weighted mean of those around it, or the value of the one with the highest weight: cells with corners",
+        ),
+        Key::new(
+            "axis",
+            Shape::Number(limits::AXIS),
+            "1",
+            "how far the weight of a point reaches, in distances of its neighbours: with 2 fields are smoother",
+        ),
+        Key::new(
+            "shift",
+            Shape::Number(limits::SHIFT),
+            "0",
+            "how strongly points lean to one side (ε of the paper): moves the borders of cells",
+        ),
+        Key::new(
+            "towards",
+            Shape::AnyOf(&[Shape::Choice(|| SIDES.to_vec()), Shape::Number(Range::ANGLE)]),
+            "\"random\"",
+            "to which side: another one for each point, away from the middle of the canvas, or this direction",
+        ),
+        Key::new(
+            "share",
+            Shape::Number(limits::POINT_SHARE),
+            Key::NONE,
+            "the share of the canvas above the edge; the level is set for it. Not with cells of dark and light points, which have none. Without it: what the drawn ellipses cover; with none the mean probability of `random` and of `image` with one pass; of the others as it comes",
+        ),
+    ],
+};
+
 /// Reads the points of a layer.
 pub(super) fn read(node: &Node) -> Result<Points, Problem> {
-    node.keys(&[
-        "distance",
-        "progression",
-        "labels",
-        "octaves",
-        "fold",
-        "interpolation",
-        "axis",
-        "shift",
-        "towards",
-        "share",
-    ])?;
+    node.is(&FIELD)?;
     let default = Points::default();
     let number = |key, default, range| node.get(key).map_or(Ok(default), |node| node.number(range));
     let points = Points {
         distance: node.get("distance").map(|node| one_or_two(&node, limits::POINT_DISTANCE)).transpose()?,
         progression: node.get("progression").map_or(Ok(default.progression), |node| progression(&node))?,
-        labels: node.get("labels").map_or(Ok(default.labels), |node| labels(&node))?,
+        labels: node.get("labels").map_or(Ok(default.labels), |node| labels::read(&node))?,
         octaves: whole(node, "octaves", default.octaves, [1, limits::POINT_OCTAVES])?,
         fold: node.get("fold").map_or(Ok(default.fold), |node| node.flag())?,
         interpolation: node
@@ -347,58 +410,5 @@ fn towards(node: &Node) -> Result<Towards, Problem> {
         Ok("random") => Ok(Towards::Random),
         Ok("outward") => Ok(Towards::Outward),
         _ => node.number(&Range::ANGLE).map(Towards::Angle).map_err(|_| node.wrong(allowed)),
-    }
-}
-
-fn labels(node: &Node) -> Result<Labels, Problem> {
-    let kind = node.need("kind", &KINDS.map(|(name, _)| name).join(", "))?.choice(&KINDS)?;
-    let size = |node: &Node| whole(node, "size", Labels::SIZE, limits::CLUSTER);
-    let rings = |node: &Node| whole(node, "rings", 0, [0, limits::RINGS]);
-    match kind {
-        Kind::Values => {
-            node.keys(&["kind", "group"])?;
-            Ok(Labels::Values { group: whole(node, "group", Labels::GROUP, limits::GROUP)? })
-        }
-        Kind::Random => {
-            node.keys(&["kind", "dark"])?;
-            let dark =
-                node.get("dark").map_or(Ok([Labels::DARK; 2]), |node| one_or_two(&node, limits::INK))?;
-            Ok(Labels::Random { dark })
-        }
-        Kind::Image => {
-            node.keys(&["kind", "image", "passes"])?;
-            let image = node.need("image", "an object {\"png\": a gray PNG in base64}")?;
-            let passes = whole(node, "passes", Labels::PASSES, [1, limits::PASSES])?;
-            Ok(Labels::Image { image: tone::image(&image, REMEDY)?, passes })
-        }
-        Kind::SpaceGiraffe => {
-            node.keys(&["kind", "rays"])?;
-            let [low, high] = limits::RAYS;
-            let allowed = format!("a list of two whole numbers from {low} to {high}, the second no less");
-            let Some(list) = node.get("rays") else { return Ok(Labels::SpaceGiraffe { rays: Labels::RAYS }) };
-            let rays = list.counts([high; 2]).map_err(|_| list.wrong(allowed.clone()))?;
-            if rays[0] < low || rays[1] < rays[0] {
-                Err(list.wrong(allowed))
-            } else {
-                Ok(Labels::SpaceGiraffe { rays })
-            }
-        }
-        Kind::BreadthFirst => {
-            node.keys(&["kind", "size"])?;
-            Ok(Labels::BreadthFirst { size: size(node)? })
-        }
-        Kind::DepthFirst => {
-            node.keys(&["kind", "size"])?;
-            Ok(Labels::DepthFirst { size: size(node)? })
-        }
-        Kind::RoundRobin => {
-            node.keys(&["kind", "size", "rings"])?;
-            Ok(Labels::RoundRobin { size: size(node)?, rings: rings(node)? })
-        }
-        Kind::Connected => {
-            node.keys(&["kind", "start", "rings"])?;
-            let start = node.get("start").map_or(Ok(Labels::START), |node| node.number(&limits::START))?;
-            Ok(Labels::Connected { start, rings: rings(node)? })
-        }
     }
 }

@@ -1,15 +1,18 @@
 //! A JSON value → a checked document, key by key.
 
 use crate::document::body;
+use crate::document::choices::names;
 use crate::document::finish;
 use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::limits;
 use crate::document::limits::Range;
 use crate::document::maps;
+use crate::document::migrate::NEWEST;
 use crate::document::node::Node;
 use crate::document::option_key;
 use crate::document::parametric;
 use crate::document::points;
+use crate::document::shape::{ANY, Key, Object, Shape};
 use crate::document::strokes;
 use crate::document::tone;
 use crate::document::{
@@ -19,12 +22,200 @@ use crate::grid::Edges;
 
 pub(super) const EDGES: [(&str, Edges); 2] = [("closed", Edges::Closed), ("wrap", Edges::Wrap)];
 
+const NAME: Shape = Shape::Text([0, limits::MAX_NAME]);
+const SEED: Shape = Shape::Whole([0, u64::MAX]);
+const REGIONS: [u64; 2] = [1, limits::MAX_REGIONS as u64];
+const SIDE: [u64; 2] = [1, limits::MAX_SIDE as u64];
+const MODELS: Shape = Shape::AnyOf(&[
+    Shape::Object(&body::MODEL),
+    Shape::Object(&parametric::HEIGHTS),
+    Shape::Object(&parametric::SURFACE),
+]);
+const LAYERS: Shape = Shape::AnyOf(&[Shape::Object(&LAYER), Shape::Object(&finish::HAIR_LAYER)]);
+
+/// A document of the newest version or an older one.
+pub(super) static DOCUMENT: Object = Object {
+    name: "Document",
+    keys: &[
+        Key::new("format", Shape::Choice(|| vec!["dapple"]), Key::REQUIRED, "the format"),
+        Key::new(
+            "version",
+            Shape::Whole([1, NEWEST]),
+            Key::REQUIRED,
+            "the version of the format, now 2; see older versions",
+        ),
+        Key::new("name", NAME, "\"\"", "its name"),
+        Key::new(
+            "size",
+            Shape::Wholes(&[SIDE; 2]),
+            Key::REQUIRED,
+            "width and height of the canvas, px, 1 to 65536 each",
+        ),
+        Key::new(
+            "regions",
+            Shape::Wholes(&[REGIONS; 2]),
+            Key::NONE,
+            "columns and rows, 1 to 64 each, no more than px; without them each mark sets what grows around it",
+        ),
+        Key::new(
+            "edges",
+            Shape::Choice(|| names(&EDGES)),
+            "\"closed\"",
+            "what lies beyond the border: nothing, or the other side (a seamless tile, whose longer side is at most 256 times the shorter one)",
+        ),
+        Key::new("seed", SEED, "1", "of all random numbers"),
+        Key::new("dpi", Shape::Number(limits::DPI), "300", "for print"),
+        Key::new("growth", Shape::Object(&GROWTH), "{}", "how it is grown"),
+        Key::new(
+            "model",
+            MODELS,
+            Key::NONE,
+            "the model that it grows on, instead of the flat canvas; or the surface of which the canvas is the flat map",
+        ),
+        Key::new(
+            "finish",
+            Shape::Object(&finish::FINISH),
+            Key::NONE,
+            "the material that the texture is made of; not with a `model`",
+        ),
+        // Beside them there may be one layer of hair.
+        Key::new(
+            "layers",
+            Shape::List(&LAYERS, [1, limits::MAX_LAYERS + 1]),
+            Key::REQUIRED,
+            "the layers, the lowest first",
+        ),
+        Key::new(
+            "starred",
+            Shape::List(&Shape::Object(&STARRED), [0, limits::MAX_STARRED]),
+            "[]",
+            "other textures that are kept with the document: objects with a `name` and a `document`, which is written without `format`, `version` and `starred`",
+        ),
+    ],
+};
+
+static STARRED: Object = Object {
+    name: "Starred texture",
+    keys: &[
+        Key::new("name", NAME, "\"\"", "short name of the difference from the sketch"),
+        Key::new("document", Shape::Object(&KEPT), Key::REQUIRED, "its document, which keeps no others"),
+    ],
+};
+
+/// A document that another one keeps: its format and version are those of the other.
+static KEPT: Object = Object { name: "Kept document", keys: DOCUMENT.keys.split_at(2).1.split_at(10).0 };
+
+static GROWTH: Object = Object {
+    name: "Growth",
+    keys: &[Key::new("refine", Shape::Flag, "true", "whether what has grown is measured and corrected")],
+};
+
+static LAYER: Object = Object {
+    name: "Layer",
+    keys: &[
+        Key::new("name", NAME, "\"layer 1\"", "its name"),
+        Key::new(
+            "system",
+            Shape::Choice(|| names(&SystemChoice::names())),
+            "\"auto\"",
+            "the reaction-diffusion system; `auto` picks by the marks: ellipses grow spots, or patches or cells where they are denser than spots grow, lines stripes, and lines that cross a weave; with `stripes` lines that cross stay stripes; `weave` grows threads along lines of two to five directions, and `maze` straight pieces of these directions that do not cross, `pair-stripes` stripes that end in tips, and `stucco` dots and worms; `cells` grows cells side by side; `patches` grows blotches, and `auto` takes it where outlines are drawn, `after` is `\"between\"` and nothing is irregular; `streaks` grows ragged stripes with ends along the drawn lines, and `cracks` a net as wide as these; `points` grows noise, cells and clusters of scattered points, with nothing drawn; `turing-growth` grows dots, worms or holes by a growth that a picture drives",
+        ),
+        Key::new(
+            "after",
+            Shape::Choice(|| names(&After::NAMES)),
+            "\"between\"",
+            "how it meets the marks beneath: between them (stripes pass under stripes that they cross, by more than 35° in the mean), as rings around them, as a net between them, inside each",
+        ),
+        Key::new("visible", Shape::Flag, "true", "whether it is painted; a hidden layer still grows"),
+        Key::new(
+            "seed",
+            SEED,
+            Key::NONE,
+            "its own seed; without one it is derived from the document's (SplitMix64)",
+        ),
+        Key::new(
+            "strokes",
+            Shape::List(&STROKES, [0, ANY]),
+            Key::REQUIRED,
+            "what was drawn: ellipses and outlines, or lines and paths, both only with the system `cells`; none only where there is a `tone` or the system is `points` or `turing-growth`",
+        ),
+        Key::new(
+            "far_spacing",
+            Shape::Number(limits::FAR_SPACING),
+            Key::NONE,
+            "of free ellipses: the distance that was wanted far from all of them before they were last changed, px. The window writes it; it stays while what is drawn agrees with it",
+        ),
+        Key::new("options", Shape::Object(&option_key::OPTIONS), "{}", "see below"),
+        Key::new(
+            "tone",
+            Shape::Object(&tone::TONE),
+            Key::NONE,
+            "a picture that drives the pattern, of the lowest layer",
+        ),
+        Key::new(
+            "points",
+            Shape::Object(&points::FIELD),
+            Key::NONE,
+            "what a field of points is made of, with `\"system\": \"points\"`",
+        ),
+        Key::new(
+            "maps",
+            Shape::Object(&maps::MAPS),
+            "{}",
+            "pictures and noise by which what is asked for varies from place to place",
+        ),
+        Key::new(
+            "colours",
+            Shape::Object(&COLOURS),
+            Key::NONE,
+            "see below; without them the default colours of the layer",
+        ),
+    ],
+};
+
+/// A stroke on the canvas or on the model.
+const STROKES: Shape = Shape::AnyOf(&[
+    strokes::STROKE,
+    Shape::Object(&body::ELLIPSE_ON_MODEL),
+    Shape::Object(&body::PATH_ON_MODEL),
+]);
+const BEND: Shape = Shape::Numbers(&HANDLES);
+const HANDLES: [Range; 4] = [limits::BEND_X, limits::BEND_Y, limits::BEND_X, limits::BEND_Y];
+
+static COLOURS: Object = Object {
+    name: "Colours",
+    keys: &[
+        Key::new(
+            "stops",
+            Shape::List(&Shape::Object(&STOP), [1, ANY]),
+            Key::REQUIRED,
+            "colours at pattern values, ascending; two at one value make a hard step",
+        ),
+        Key::new(
+            "bends",
+            Shape::List(&BEND, [0, ANY]),
+            "[]",
+            "between stops i and i + 1 a cubic Bezier curve x1, y1, x2, y2 as in CSS (x 0 to 1, y −2 to 3); missing ones are straight",
+        ),
+    ],
+};
+
+static STOP: Object = Object {
+    name: "Stop",
+    keys: &[
+        Key::new("at", Shape::Number(limits::STOP), Key::REQUIRED, "the pattern value"),
+        Key::new(
+            "colour",
+            Shape::Hexadecimal("#", &[3, 6, 8]),
+            Key::REQUIRED,
+            "the colour, sRGB, and with two more digits its opacity, `00` = transparent",
+        ),
+    ],
+};
+
 /// The document that `root`, of the newest version, holds.
 pub(super) fn document(root: &Node) -> Result<Document, Problem> {
-    root.keys(&[
-        "format", "version", "name", "size", "regions", "edges", "seed", "dpi", "growth", "model", "finish",
-        "layers", "starred",
-    ])?;
+    root.is(&DOCUMENT)?;
     let default = Document::default();
     let size = root.need("size", "[width, height] in px")?.counts([limits::MAX_SIDE; 2])?;
     let most = size.map(|side| side.min(limits::MAX_REGIONS));
@@ -56,7 +247,7 @@ pub(super) fn document(root: &Node) -> Result<Document, Problem> {
 fn starred(node: &Node) -> Result<Vec<Starred>, Problem> {
     let allowed = format!("a list of at most {} objects with name and document", limits::MAX_STARRED);
     let one = |node: Node| {
-        node.keys(&["name", "document"])?;
+        node.is(&STARRED)?;
         let inner = node.need("document", "a document")?;
         let document = document(&inner)?;
         if !document.starred.is_empty() {
@@ -83,7 +274,7 @@ fn seed(node: &Node) -> Result<Option<u64>, Problem> {
 }
 
 fn growth(node: &Node) -> Result<Growth, Problem> {
-    node.keys(&["refine"])?;
+    node.is(&GROWTH)?;
     let refine = node.get("refine").map_or(Ok(Growth::default().refine), |node| node.flag())?;
     Ok(Growth { refine })
 }
@@ -109,20 +300,7 @@ fn layers(node: &Node, size: [u32; 2], model: Option<&Body>) -> Result<Layers, P
 }
 
 fn layer(node: &Node, index: usize, size: [u32; 2], model: Option<&Body>) -> Result<Layer, Problem> {
-    node.keys(&[
-        "name",
-        "system",
-        "after",
-        "visible",
-        "seed",
-        "strokes",
-        "far_spacing",
-        "options",
-        "tone",
-        "points",
-        "maps",
-        "colours",
-    ])?;
+    node.is(&LAYER)?;
     let default = Layer::default();
     let system = node.get("system").map_or(Ok(default.system), |node| node.choice(&SystemChoice::names()))?;
     let tone = node.get("tone").map(|node| tone::read(&node)).transpose()?;
@@ -151,7 +329,7 @@ fn layer(node: &Node, index: usize, size: [u32; 2], model: Option<&Body>) -> Res
 
 /// The colours of a layer or a palette.
 pub(super) fn colours(node: &Node) -> Result<Colours, Problem> {
-    node.keys(&["stops", "bends"])?;
+    node.is(&COLOURS)?;
     let stops = stops(&node.need("stops", "a list of colour stops")?)?;
     let bends = node.get("bends").map_or(Ok(Vec::new()), |node| bends(&node, stops.len() - 1))?;
     Ok(Colours { stops, bends })
@@ -161,7 +339,7 @@ pub(super) fn colours(node: &Node) -> Result<Colours, Problem> {
 fn stops(node: &Node) -> Result<Vec<Stop>, Problem> {
     let mut stops: Vec<Stop> = Vec::new();
     for item in node.items("a list of colour stops")? {
-        item.keys(&["at", "colour"])?;
+        item.is(&STOP)?;
         let place = item.need("at", "a pattern value from 0 to 1")?;
         let at = place.number(&limits::STOP)?;
         if let Some(before) = stops.last().filter(|before| at < before.at) {
@@ -191,7 +369,6 @@ fn colour(node: &Node) -> Result<[u8; 4], Problem> {
 
 /// Reads the bends, at most one for each of the `gaps` between stops.
 fn bends(node: &Node, gaps: usize) -> Result<Vec<[f64; 4]>, Problem> {
-    const HANDLES: [Range; 4] = [limits::BEND_X, limits::BEND_Y, limits::BEND_X, limits::BEND_Y];
     let bends = node.items("a list of bends [x1, y1, x2, y2]")?;
     let bends: Vec<_> = bends.map(|bend| bend.numbers(HANDLES)).collect::<Result<_, _>>()?;
     if bends.len() > gaps {

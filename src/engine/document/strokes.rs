@@ -4,9 +4,105 @@ use crate::document::body;
 use crate::document::layer_rules::mixed_marks;
 use crate::document::limits::{self, MIN_LENGTH, Range};
 use crate::document::node::Node;
+use crate::document::shape::{ANY, Key, Object, Shape};
 use crate::document::{Body, BodyMark, Outline, Problem, Stroke, SystemChoice};
 use crate::marks::{Ellipse, Line, Mark, Path, ellipse_of_outline, largest_loop, polygon_is_on};
 use crate::sketch::recognise;
+
+const PLACE: Shape = Shape::Numbers(&[Range::AROUND; 2]);
+const WIDTH: Shape = Shape::Number(Range::THICKNESS);
+const CORNERS: Shape = Shape::List(&PLACE, [3, limits::MAX_CORNERS]);
+
+static ELLIPSE: Object = Object {
+    name: "Ellipse",
+    keys: &[
+        Key::new("kind", Shape::Choice(|| vec!["ellipse"]), Key::REQUIRED, "what it is"),
+        Key::new(
+            "center",
+            PLACE,
+            Key::REQUIRED,
+            "its centre, px; it may leave the canvas by its whole side, the ellipse may not",
+        ),
+        Key::new(
+            "radii",
+            Shape::Numbers(&[Range::THICKNESS; 2]),
+            Key::REQUIRED,
+            "along the angle and across it, px, 0.01 to the longer side of the canvas",
+        ),
+        Key::new("angle", Shape::Number(Range::ANGLE), "0", "its direction"),
+        Key::new(
+            "outline",
+            CORNERS,
+            Key::NONE,
+            "the outline that it was drawn as and fitted to: its corners as those of an outline. Patches and cells grow it; all else has to do with the ellipse alone, `auto` too. The window writes it of closed strokes, and `import` of shapes that are no ellipses",
+        ),
+    ],
+};
+
+static LINE: Object = Object {
+    name: "Line",
+    keys: &[
+        Key::new("kind", Shape::Choice(|| vec!["line"]), Key::REQUIRED, "what it is"),
+        Key::new(
+            "from",
+            PLACE,
+            Key::REQUIRED,
+            "one end, px; it may leave the canvas by its whole side, the line may not",
+        ),
+        Key::new("to", PLACE, Key::REQUIRED, "the other end, px, at least 0.01 px away"),
+        Key::new("width", WIDTH, "6", "its width, px"),
+    ],
+};
+
+static PATH: Object = Object {
+    name: "Path",
+    keys: &[
+        Key::new("kind", Shape::Choice(|| vec!["path"]), Key::REQUIRED, "what it is"),
+        Key::new(
+            "points",
+            Shape::List(&PLACE, [2, ANY]),
+            Key::REQUIRED,
+            "its points in order, px, at least two; they may leave the canvas by its whole side, the path may not",
+        ),
+        Key::new("width", WIDTH, "6", "its width, px"),
+    ],
+};
+
+static FREEHAND: Object = Object {
+    name: "Freehand",
+    keys: &[
+        Key::new("kind", Shape::Choice(|| vec!["freehand"]), Key::REQUIRED, "what it is"),
+        Key::new(
+            "points",
+            Shape::List(&PLACE, [2, ANY]),
+            Key::REQUIRED,
+            "where the pen was, px, at least two points",
+        ),
+        Key::new("width", WIDTH, "6", "the width of the line or path, px"),
+    ],
+};
+
+static OUTLINE: Object = Object {
+    name: "Outline",
+    keys: &[
+        Key::new("kind", Shape::Choice(|| vec!["outline"]), Key::REQUIRED, "what it is"),
+        Key::new(
+            "points",
+            CORNERS,
+            Key::REQUIRED,
+            "its corners in order, px, 3 to 1000; they may leave the canvas by its whole side, the polygon may not",
+        ),
+    ],
+};
+
+/// A stroke on the canvas.
+pub(super) const STROKE: Shape = Shape::AnyOf(&[
+    Shape::Object(&ELLIPSE),
+    Shape::Object(&LINE),
+    Shape::Object(&PATH),
+    Shape::Object(&FREEHAND),
+    Shape::Object(&OUTLINE),
+]);
 
 /// A layer's strokes on the canvas and on the model, where there is one: at least one unless there may be none. They are ellipses
 /// or lines; both only if the `system` takes lines beside ellipses.
@@ -53,7 +149,7 @@ type Reader = fn(&Node, [u32; 2]) -> Result<Stroke, Problem>;
 
 /// An ellipse, with the outline that it was fitted to if that was kept.
 fn ellipse(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
-    node.keys(&["kind", "center", "radii", "angle", "outline"])?;
+    node.is(&ELLIPSE)?;
     let ellipse = Ellipse {
         center: node.need("center", "[x, y] in px")?.numbers(size.map(Range::around))?,
         radii: node
@@ -74,7 +170,7 @@ fn ellipse(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
 }
 
 fn line(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
-    node.keys(&["kind", "from", "to", "width"])?;
+    node.is(&LINE)?;
     let from = node.need("from", "[x, y] in px")?.numbers(size.map(Range::around))?;
     let to = node.need("to", "[x, y] in px")?.numbers(size.map(Range::around))?;
     let line = Line { from, to, width: width(node, size)? };
@@ -88,7 +184,7 @@ fn line(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
 }
 
 fn path(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
-    node.keys(&["kind", "points", "width"])?;
+    node.is(&PATH)?;
     let list = node.need("points", POINTS)?;
     let mark = Mark::Path(Path { points: points(&list, size)?, width: width(node, size)? });
     on_canvas(&list, mark.is_on(size.map(f64::from)), || about("a path", mark.center()), size)?;
@@ -97,7 +193,7 @@ fn path(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
 
 /// Even if no piece of the stroke and not the mean of its points is on the canvas, the mark that is fitted to it may be.
 fn freehand(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
-    node.keys(&["kind", "points", "width"])?;
+    node.is(&FREEHAND)?;
     let list = node.need("points", POINTS)?;
     let points = points(&list, size)?;
     let n = points.len() as f64;
@@ -114,7 +210,7 @@ fn freehand(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
 
 /// The outline or its ellipse is on the canvas: other systems than those of areas grow the ellipse.
 fn outline(node: &Node, size: [u32; 2]) -> Result<Stroke, Problem> {
-    node.keys(&["kind", "points"])?;
+    node.is(&OUTLINE)?;
     let list = node.need("points", POINTS)?;
     let (outline, ellipse) = corners(&list, size)?;
     let canvas = size.map(f64::from);

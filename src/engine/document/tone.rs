@@ -6,6 +6,7 @@ use std::sync::{Arc, OnceLock};
 use crate::document::Problem;
 use crate::document::limits;
 use crate::document::node::Node;
+use crate::document::shape::{Key, Object, Shape};
 use crate::export::gray_png;
 
 /// A picture that drives the pattern of a layer.
@@ -130,9 +131,43 @@ impl fmt::Debug for ToneImage {
     }
 }
 
+pub(super) static TONE: Object = Object {
+    name: "Tone",
+    keys: &[
+        Key::new("image", Shape::Object(&IMAGE), Key::REQUIRED, "the picture, which travels in the document"),
+        Key::new(
+            "range",
+            Shape::Numbers(&[limits::INK; 2]),
+            "[0.1, 0.9]",
+            "the share of ink where it is white, and where it is black; falling, a negative",
+        ),
+        Key::new(
+            "drives",
+            Shape::List(&Shape::Choice(|| Drives::NAMES.to_vec()), [1, 3]),
+            "[\"level\", \"direction\", \"spacing\"]",
+            "what follows it: the local share of ink, directions, and the spacing, finer where it has details (of spots: where it is darker)",
+        ),
+        Key::new(
+            "sketch",
+            Shape::Number(limits::SKETCH),
+            "0.1",
+            "how much the drawn direction counts, in means of the weight of the picture's edges",
+        ),
+        Key::new(
+            "equalise",
+            Shape::Flag,
+            "true",
+            "whether its contrast is evened out, so that all tones occur everywhere",
+        ),
+    ],
+};
+
+pub(super) static IMAGE: Object =
+    Object { name: "Tone image", keys: &[Key::new("png", Shape::Png, Key::REQUIRED, "the picture")] };
+
 /// A layer's tone.
 pub(super) fn read(node: &Node) -> Result<Tone, Problem> {
-    node.keys(&["image", "range", "drives", "sketch", "equalise"])?;
+    node.is(&TONE)?;
     let share = limits::INK;
     let range = node.get("range").map_or(Ok(Tone::RANGE), |node| node.numbers([share; 2]))?;
     Ok(Tone {
@@ -149,7 +184,7 @@ const REMEDY: &str = "dapple grow --tone embeds any picture so";
 
 /// Reads the gray picture of `node`; `remedy` tells the user how to convert another picture.
 pub(super) fn image(node: &Node, remedy: &str) -> Result<ToneImage, Problem> {
-    node.keys(&["png"])?;
+    node.is(&IMAGE)?;
     let node = node.need("png", "a gray PNG in base64")?;
     let most = limits::TONE_SIDE;
     let allowed = format!("a gray PNG of 8 bits and at most {most} px a side in base64 ({remedy})");

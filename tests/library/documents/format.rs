@@ -180,6 +180,47 @@ fn the_defaults_on_the_page_are_those_of_the_program() {
     }
 }
 
+/// A meaning as the schema has it: without addresses, and without links to pages in brackets.
+fn without_links(meaning: &str) -> String {
+    let mut text = meaning.to_owned();
+    while let Some((before, rest)) = text.split_once('[').filter(|(_, rest)| rest.contains("](")) {
+        let (name, rest) = rest.split_once("](").expect("a link");
+        let (_, after) = rest.split_once(')').expect("the end of a link");
+        text = match (before.strip_suffix(" ("), after.strip_prefix(')')) {
+            (Some(before), Some(after)) => format!("{before}{after}"),
+            _ => format!("{before}{name}{after}"),
+        };
+    }
+    text
+}
+
+#[test]
+fn the_meanings_and_defaults_on_the_page_are_those_of_the_schema() {
+    let schema: Value = serde_json::from_str(&dapple::document::schema()).unwrap();
+    let check = |object: &str, key: &str, meaning: &str, default: &str| {
+        let of = if object == "Document" { &schema } else { &schema["$defs"][object] };
+        let property = &of["properties"][key];
+        assert_eq!(property["description"], without_links(meaning), "{object}: {key}");
+        let is_required = of["required"].as_array().expect("a list").contains(&json!(key));
+        assert_eq!(is_required, default == "required", "{object}: {key}");
+        if !["required", "none"].contains(&default) {
+            assert_eq!(
+                property["default"],
+                serde_json::from_str::<Value>(default).unwrap(),
+                "{object}: {key}"
+            );
+        }
+    };
+    for (heading, ..) in objects() {
+        for row in table(heading, "key | meaning | allowed | default") {
+            check(heading, &row[0], &row[1], &row[3]);
+        }
+    }
+    for row in table("Labels", "kind | key | meaning | allowed | default") {
+        check(&format!("Labels {}", row[0]), &row[1], &row[2], &row[4]);
+    }
+}
+
 #[test]
 fn the_rules_on_the_page_are_those_of_the_program() {
     let row = |rule: &dapple::document::layer_rules::Rule| {

@@ -1,0 +1,231 @@
+//! Random sketches like those that are drawn by hand: groups of a few marks here and there, whose size and direction change steadily
+//! across the canvas.
+
+use super::dice::Dice;
+use super::kind::Kind;
+use crate::colour::PRESETS;
+use crate::document::{Colours, Document, GapChoice, Layer, LayerOptions, Stroke, SystemChoice};
+use crate::marks::Ellipse;
+use std::f64::consts::TAU;
+
+/// Distance from one mark to the next, px; at most this share of the side.
+const SPACING: [f64; 2] = [15.0, 60.0];
+const SPACING_OF_AREAS: [f64; 2] = [28.0, 60.0];
+const SPACING_OF_LINES: [f64; 2] = [10.0, 40.0];
+const WIDEST: f64 = 0.17;
+/// Area ÷ spacing².
+const PACKING: [f64; 2] = [0.05, 0.16];
+const PACKING_OF_IRREGULAR: [f64; 2] = [0.1, 0.2];
+const PACKING_OF_PATCHES: [f64; 2] = [0.3, 0.55];
+/// Minor ÷ major radius.
+const ASPECT: [f64; 2] = [0.35, 1.0];
+const ASPECT_OF_IRREGULAR: [f64; 2] = [0.55, 1.0];
+const ASPECT_OF_AREAS: [f64; 2] = [0.5, 1.0];
+/// Width ÷ period of stripes, and their least width, px.
+const DUTY: [f64; 2] = [0.3, 0.6];
+const THINNEST: f64 = 4.0;
+/// Groups of marks.
+const GROUPS: [usize; 2] = [3, 5];
+/// From the middle of the canvas to its border, the logarithm of lengths changes by this at most, and directions by this, degrees.
+const GROWING: f64 = 0.2;
+const TURNING: f64 = 30.0;
+/// Errors of drawing: of radii and widths as a share, of angles in degrees, of places as a share of the spacing.
+const RADIUS: f64 = 0.06;
+const ANGLE: f64 = 4.0;
+const PLACE: f64 = 0.06;
+/// Corners of an outline, and by how much they are off its ellipse, as a share of the radius.
+const CORNERS: usize = 16;
+const RAGGED: f64 = 0.12;
+
+/// What is drawn at each place: changes linearly with the place.
+struct Field {
+    spacing: f64,
+    angle: f64,
+    /// Changes of log spacing and of the angle along x and y, from the middle to the border.
+    growing: [f64; 2],
+    turning: [f64; 2],
+    side: f64,
+}
+
+impl Field {
+    fn random(dice: &mut Dice, spacing: [f64; 2], side: f64) -> Self {
+        let most = spacing[1].min(side * WIDEST).max(spacing[0]);
+        let share = [0, 1].map(|_| dice.between([0.0, 0.7]));
+        Self {
+            spacing: dice.log_between([spacing[0], most]),
+            angle: dice.between([0.0, 180.0]),
+            growing: share.map(|share| share * dice.off(GROWING)),
+            turning: share.map(|share| share * dice.off(TURNING)),
+            side,
+        }
+    }
+
+    /// Spacing and angle at a place.
+    fn at(&self, place: [f64; 2]) -> (f64, f64) {
+        let from_middle = place.map(|along| 2.0 * along / self.side - 1.0);
+        let sum = |slope: [f64; 2]| slope[0] * from_middle[0] + slope[1] * from_middle[1];
+        (self.spacing * libm::exp(sum(self.growing)), self.angle + sum(self.turning))
+    }
+}
+
+/// A random document of this kind on a square canvas of `side` px; it may have no room for its marks.
+pub fn sketch(kind: Kind, side: u32, dice: &mut Dice) -> Document {
+    let (strokes, options, system) = drawn(kind, f64::from(side), dice);
+    let colours = Colours::from(&PRESETS[dice.below(PRESETS.len())].set.gradient());
+    let layer = Layer { name: kind.name().to_owned(), system, strokes, options, ..Layer::default() };
+    Document::new([side, side]).with_seed(dice.seed()).with_layer(layer.with_colours(colours))
+}
+
+/// The system of this name, which exists.
+fn system(name: &str) -> SystemChoice {
+    SystemChoice::named(name).unwrap_or_default()
+}
+
+/// Strokes, options and system of a kind.
+fn drawn(kind: Kind, side: f64, dice: &mut Dice) -> (Vec<Stroke>, LayerOptions, SystemChoice) {
+    let mut options = LayerOptions::default();
+    match kind {
+        Kind::Spots => {
+            let packing = dice.log_between(PACKING);
+            let aspect = dice.between(ASPECT);
+            (
+                ellipses(dice, (side, SPACING), (packing, aspect), Stroke::Ellipse),
+                options,
+                system("meinhardt-spots"),
+            )
+        }
+        Kind::IrregularSpots => {
+            options.irregular = dice.between([0.3, 1.0]);
+            let packing = dice.log_between(PACKING_OF_IRREGULAR);
+            let aspect = dice.between(ASPECT_OF_IRREGULAR);
+            (
+                ellipses(dice, (side, SPACING), (packing, aspect), Stroke::Ellipse),
+                options,
+                system("turing-spots"),
+            )
+        }
+        Kind::Patches => {
+            let packing = dice.between(PACKING_OF_PATCHES);
+            let aspect = dice.between(ASPECT_OF_AREAS);
+            let mut corners = Dice::of_item(dice.seed(), 0, 0);
+            let ragged = corners.between([0.02, RAGGED]);
+            let outline = |spot| outline(&spot, ragged, &mut corners);
+            (ellipses(dice, (side, SPACING_OF_AREAS), (packing, aspect), outline), options, system("patches"))
+        }
+        Kind::Cells => {
+            options.gap = GapChoice::Given(dice.between([1.5, 5.0]));
+            let aspect = dice.between(ASPECT_OF_AREAS);
+            (
+                ellipses(dice, (side, SPACING_OF_AREAS), (0.6, aspect), Stroke::Ellipse),
+                options,
+                system("cells"),
+            )
+        }
+        Kind::Stripes => (lines(dice, side), options, SystemChoice::Stripes),
+        Kind::PairStripes => (lines(dice, side), options, system("pair-stripes")),
+        Kind::Stucco => {
+            options.decay = dice.between([0.2, 0.85]);
+            (lines(dice, side), options, system("stucco"))
+        }
+    }
+}
+
+/// Groups of three ellipses this far apart, of this area ÷ spacing² and aspect.
+fn ellipses(
+    dice: &mut Dice,
+    (side, spacings): (f64, [f64; 2]),
+    (packing, aspect): (f64, f64),
+    mut stroke: impl FnMut(Ellipse) -> Stroke,
+) -> Vec<Stroke> {
+    let field = Field::random(dice, spacings, side);
+    let mut strokes = Vec::new();
+    for middle in places(dice, &field) {
+        let (spacing, _) = field.at(middle);
+        let turned = dice.between([0.0, TAU]);
+        for corner in 0..3 {
+            let (s, c) = libm::sincos(turned + TAU * f64::from(corner) / 3.0);
+            // The corners of a triangle are spacing ÷ √3 from its middle.
+            let from_middle = [c, s].map(|along| (along / 3.0_f64.sqrt() + dice.off(PLACE)) * spacing);
+            let center = [middle[0] + from_middle[0], middle[1] + from_middle[1]];
+            let (spacing, angle) = field.at(center);
+            let area = packing * spacing * spacing * libm::exp(dice.off(2.0 * RADIUS));
+            let aspect = (aspect + dice.off(RADIUS)).clamp(ASPECT[0], 1.0);
+            strokes.push(stroke(Ellipse::from_area(center, area, aspect, angle + dice.off(ANGLE))));
+        }
+    }
+    strokes
+}
+
+/// An outline around an ellipse.
+fn outline(ellipse: &Ellipse, ragged: f64, dice: &mut Dice) -> Stroke {
+    let (s, c) = libm::sincos(ellipse.angle.to_radians());
+    let corners: Vec<[f64; 2]> = (0..CORNERS)
+        .map(|corner| {
+            let (sin, cos) = libm::sincos(TAU * corner as f64 / CORNERS as f64);
+            let off = 1.0 + dice.off(ragged);
+            let [along, across] = [off * ellipse.radii[0] * cos, off * ellipse.radii[1] * sin];
+            [ellipse.center[0] + along * c - across * s, ellipse.center[1] + along * s + across * c]
+        })
+        .collect();
+    Stroke::outline(corners)
+}
+
+/// Groups of three lines side by side.
+fn lines(dice: &mut Dice, side: f64) -> Vec<Stroke> {
+    let field = Field::random(dice, SPACING_OF_LINES, side);
+    let duty = dice.between(DUTY);
+    let mut strokes = Vec::new();
+    for middle in places(dice, &field) {
+        let (period, angle) = field.at(middle);
+        let length = period * dice.between([2.0, 4.0]);
+        let (s, c) = libm::sincos((angle + dice.off(ANGLE)).to_radians());
+        for row in [-1.0, 0.0, 1.0] {
+            let across = (row + dice.off(PLACE)) * period;
+            let width = (duty * period * libm::exp(dice.off(RADIUS))).max(THINNEST);
+            let at = |along: f64| [middle[0] + along * c - across * s, middle[1] + along * s + across * c];
+            strokes.push(Stroke::line(at(-0.5 * length), at(0.5 * length), width));
+        }
+    }
+    strokes
+}
+
+/// The middles of groups, far enough from each other and from the border.
+fn places(dice: &mut Dice, field: &Field) -> Vec<[f64; 2]> {
+    /// Places that are tried.
+    const TRIES: usize = 40;
+    let count = GROUPS[0] + dice.below(GROUPS[1] - GROUPS[0] + 1);
+    let margin = (1.5 * field.spacing).min(0.3 * field.side);
+    let mut places: Vec<[f64; 2]> = Vec::new();
+    for _ in 0..TRIES {
+        let place = [0, 1].map(|_| dice.between([margin, field.side - margin]));
+        let is_free = places
+            .iter()
+            .all(|other| libm::hypot(place[0] - other[0], place[1] - other[1]) > 3.2 * field.spacing);
+        if is_free || places.is_empty() {
+            places.push(place);
+        }
+        if places.len() == count {
+            break;
+        }
+    }
+    places
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sketches_of_all_kinds_are_valid_documents_and_most_differ() {
+        for kind in Kind::ALL {
+            let mut seeds = std::collections::BTreeSet::new();
+            for index in 0..40 {
+                let document = sketch(kind, 256, &mut Dice::of_item(1, index, 0));
+                let valid = document.check("x");
+                assert!(valid.is_ok(), "{} {index}: {}", kind.name(), valid.unwrap_err());
+                seeds.insert(document.seed);
+            }
+            assert_eq!(seeds.len(), 40);
+        }
+    }
+}
