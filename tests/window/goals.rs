@@ -138,8 +138,8 @@ fn every_goal_of_a_layer_above_others_grows() {
 #[test]
 fn goals_grow_in_regions_and_in_a_part_of_a_large_sketch() {
     let far =
-        format!(r#"{SPOTS}, {{"kind": "ellipse", "center": [700, 700], "radii": [14, 9], "angle": 0}}"#);
-    let large = sized(800, &[&far], "");
+        format!(r#"{SPOTS}, {{"kind": "ellipse", "center": [450, 450], "radii": [14, 9], "angle": 0}}"#);
+    let large = sized(500, &[&far], "");
     all_grow(&large, &[Goal::Spots, Goal::Cells, Goal::Rings]);
     all_grow(&Document { regions: Some([4, 4]), ..large }, &[Goal::Spots, Goal::Cells, Goal::Patches]);
 }
