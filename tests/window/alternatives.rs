@@ -1,11 +1,10 @@
 //! Other textures that fit the same sketch.
 
 use dapple::WriteFile;
-use dapple_engine::rd::System;
 use std::sync::Arc;
 
 use dapple::app::{Alternative, Start, Window, small};
-use dapple::document::{Document, SpreadChoice, SystemChoice};
+use dapple::document::{Document, SpreadChoice};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Theme, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -46,18 +45,14 @@ fn hidden_alternatives_are_not_grown() {
 }
 
 #[test]
-fn alternatives_have_other_seeds_another_system_and_another_spread() {
+fn alternatives_have_other_seeds_and_another_spread() {
     let (mut hand, _folder) = spots();
     hand.key(Modifiers::NONE, Key::A);
     until_grown(&mut hand);
     let all = names(&hand);
-    assert_eq!(all, ["Original", "Seed 2", "Seed 3", "Seed 4", "Seed 5", "Turing's spots", "Varied"]);
+    assert_eq!(all, ["Original", "Seed 2", "Seed 3", "Seed 4", "Seed 5", "Varied"]);
     let window = hand.window.state();
     assert!(window.alternatives().all.iter().all(|one| one.failed.is_none() && one.picture.is_some()));
-    assert_eq!(
-        named(window, "Turing's spots").document.layers[0].system,
-        SystemChoice::Of(System::TURING_SPOTS.description())
-    );
     assert!(matches!(named(window, "Varied").document.layers[0].options.spread, SpreadChoice::Given(_)));
     assert!(window.alternatives().is_taken(named(window, "Original").id));
     for (index, one) in window.alternatives().all.iter().enumerate() {
@@ -69,7 +64,7 @@ fn alternatives_have_other_seeds_another_system_and_another_spread() {
 
 #[test]
 fn a_chosen_alternative_grows_what_its_picture_showed() {
-    for name in ["Seed 3", "Turing's spots", "Varied"] {
+    for name in ["Seed 3", "Varied"] {
         let (mut hand, _folder) = spots();
         hand.key(Modifiers::NONE, Key::A);
         until_grown(&mut hand);
