@@ -16,8 +16,9 @@ fn the_commands_of_the_page_on_scripts_run_one_after_the_other() {
     let program = assert_cmd::cargo::cargo_bin!("dapple").parent().expect("a folder").to_owned();
     let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap_or_default());
     for block in blocks {
-        let run = Command::new("bash").args(["-euo", "pipefail", "-c", block]).env("PATH", &path);
-        let output = run.current_dir(&folder).output().expect("bash");
+        let mut run = Command::new("bash");
+        run.args(["-euo", "pipefail", "-c", block]).env("PATH", &path).current_dir(&folder);
+        let output = run.output().expect("bash");
         assert!(output.status.success(), "{block}\n{}", String::from_utf8_lossy(&output.stderr));
     }
     let error = fs::read_to_string(folder.path().join("error.json")).unwrap();
