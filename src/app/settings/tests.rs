@@ -31,6 +31,7 @@ fn everything_is_remembered() {
         over: true,
         curtain: 0.25,
         linked: false,
+        goals: false,
         regions: false,
         analysis: true,
         wanted: false,
