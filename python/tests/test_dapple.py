@@ -104,7 +104,7 @@ def test_check_lists_notes_and_refuses_what_cannot_grow():
 
 def test_progress_is_reported_and_its_exception_stops_the_growth():
     seen = []
-    large = dapple.document([1024, 1024], layers=spots()["layers"])
+    large = dapple.document([320, 320], layers=spots()["layers"])
     dapple.grow(large, progress=lambda stage, share: seen.append((stage, share)))
     assert seen
     assert all(stage in ("plan", "grow", "refine", "write") and 0 <= share <= 1 for stage, share in seen)
@@ -126,7 +126,7 @@ def test_other_threads_run_while_a_texture_grows():
 
     thread = threading.Thread(target=count)
     thread.start()
-    dapple.grow(dapple.document([700, 700], layers=spots()["layers"]), threads=1)
+    dapple.grow(dapple.document([400, 400], layers=spots()["layers"]), threads=1)
     growing[0] = False
     thread.join()
     assert counted[0] > 5, counted

@@ -76,7 +76,7 @@ pub enum ItemError {
         /// Its index.
         index: u64,
         /// The reason of the last attempt.
-        why: GrowError,
+        why: Box<GrowError>,
     },
 }
 
@@ -107,7 +107,9 @@ pub fn item(settings: &Settings, index: u64, watch: &Watch) -> Result<Item, Item
         match labelled(index, kind, document, watch) {
             Ok(item) => return Ok(item),
             Err(GrowError::Cancelled(_)) => return Err(ItemError::Cancelled),
-            Err(why) if attempt + 1 == ATTEMPTS => return Err(ItemError::Failed { index, why }),
+            Err(why) if attempt + 1 == ATTEMPTS => {
+                return Err(ItemError::Failed { index, why: Box::new(why) });
+            }
             Err(_) => attempt += 1,
         }
     }

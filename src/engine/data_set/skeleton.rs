@@ -84,11 +84,7 @@ impl Skeleton {
         let count = p.iter().filter(|on| **on).count();
         let lines = (0..8).filter(|k| !p[*k] && p[(k + 1) % 8]).count();
         let [up, right, down, left] = [p[0], p[2], p[4], p[6]];
-        let sides = if second {
-            !(up && right && left) && !(up && down && left)
-        } else {
-            !(up && right && down) && !(right && down && left)
-        };
+        let sides = if second { !(up && left && (right || down)) } else { !(right && down && (up || left)) };
         (2..=6).contains(&count) && lines == 1 && sides
     }
 }
