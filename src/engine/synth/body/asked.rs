@@ -74,8 +74,9 @@ impl Asked {
         let refused = || refusals::system(layer, index).in_file(source);
         let choice = match &threads {
             Some(form) => Choice::of_threads(form.kind()),
-            None => Choice::new(layer, &all, areas).ok_or_else(refused)?,
+            None => Choice::new(layer, &all, areas),
         };
+        let choice = choice.ok_or_else(refused)?;
         let is_free =
             all.iter().all(|wanted| wanted.distance().is_none()) && drawn.iter().all(Option::is_none);
         let regions: Vec<Attributes> =

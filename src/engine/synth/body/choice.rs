@@ -86,10 +86,11 @@ impl Choice {
         Self { system, polarity: Polarity::Positive, curves: None, threads: None, areas: None }
     }
 
-    /// Threads of this kind.
+    /// Threads of this kind; `None` where no system lays lines at any distance.
     #[must_use]
-    pub const fn of_threads(kind: PairKind) -> Self {
-        Self { threads: Some(kind), ..Self::of(System::MEINHARDT_LINES) }
+    pub fn of_threads(kind: PairKind) -> Option<Self> {
+        let system = SystemChoice::system_of_stripes(true).filter(|system| grows(*system))?;
+        Some(Self { threads: Some(kind), ..Self::of(system) })
     }
 
     /// The parameters by which the lines are laid that threads begin from, on cells of `cell` px; nothing is looked up.
