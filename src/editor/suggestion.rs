@@ -178,7 +178,7 @@ mod tests {
 
     #[test]
     fn outlines_that_are_no_ellipses_ask_for_irregular_shapes() {
-        let triangle = |turn: f64| 24.0 + 8.0 * (2.0 * PI * 3.0 * turn).cos();
+        let triangle = |turn: f64| 24.0 + 5.0 * (2.0 * PI * 3.0 * turn).cos();
         assert_eq!(suggested(vec![drawn(100.0, triangle), drawn(300.0, triangle)]), [Suggestion::Irregular]);
     }
 

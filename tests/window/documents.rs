@@ -78,7 +78,7 @@ fn a_document_on_a_model_is_shown_flat_and_keeps_its_model_and_the_marks_on_it()
     let notices = hand.window.state().notices().to_vec();
     assert!(notices[0].text.contains("grows on the model \"cat.obj\""), "{notices:?}");
     hand.press("OK");
-    hand.draw_round([150.0, 200.0], [40.0, 20.0], 30.0);
+    hand.draw_round([120.0, 110.0], [30.0, 20.0], 30.0);
     hand.key(Modifiers::COMMAND, Key::S);
     hand.rest();
     let after = Document::read(&path).unwrap();

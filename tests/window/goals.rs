@@ -7,7 +7,7 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers, Theme, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 
-use crate::hand::{Hand, hand, hand_with, with};
+use crate::hand::{self, Hand, with_goals};
 use crate::sights::see;
 
 const SPOTS: &str = r#"{"kind": "ellipse", "center": [50, 60], "radii": [12, 9], "angle": 20},
@@ -17,6 +17,18 @@ const LINES: &str = r#"{"kind": "line", "from": [20, 40], "to": [120, 40], "widt
     {"kind": "line", "from": [20, 60], "to": [120, 60], "width": 6}"#;
 const CROSSING: &str = r#"{"kind": "line", "from": [50, 20], "to": [55, 130], "width": 6},
     {"kind": "line", "from": [80, 20], "to": [85, 130], "width": 6}"#;
+
+/// A window with pictures of what layers can become.
+fn hand() -> Hand {
+    with_goals();
+    hand::hand()
+}
+
+/// A window with a document and such pictures.
+fn hand_with(document: &Document) -> (Hand, tempfile::TempDir, std::path::PathBuf) {
+    with_goals();
+    hand::hand_with(document)
+}
 
 /// A document of 150² px with these layers and these other keys.
 fn document(layers: &[&str], keys: &str) -> Document {
@@ -212,13 +224,15 @@ fn hidden_goals_are_not_grown_and_stay_hidden() {
 
 #[test]
 fn low_windows_and_alternatives_leave_no_room_for_goals() {
-    let mut low = with(dapple::app::Start::default(), vec2(900.0, 500.0), Theme::Light);
+    with_goals();
+    let mut low = hand::with(dapple::app::Start::default(), vec2(900.0, 500.0), Theme::Light);
     assert!(low.window.query_by_label("What it can become").is_none());
     low.draw_round([120.0, 120.0], [20.0, 20.0], 0.0);
     low.until_settled();
     assert!(low.window.state().goals().all.is_empty());
 
     let mut hand = hand();
+    hand.draw_round([120.0, 120.0], [20.0, 20.0], 0.0);
     assert!(hand.window.query_by_label("What it can become").is_some());
     hand.key(Modifiers::NONE, Key::A);
     assert!(hand.window.query_by_label("What it can become").is_none());

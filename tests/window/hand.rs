@@ -3,6 +3,7 @@
 #[path = "aim.rs"]
 pub mod aim;
 
+use std::cell::Cell;
 use std::f64::consts::TAU;
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, channel};
@@ -23,6 +24,16 @@ pub struct Hand {
     pub window: Harness<'static, Window>,
     /// Gets a message each time the window asks for a frame.
     asked: Receiver<()>,
+}
+
+thread_local! {
+    /// Whether the windows of this test grow small pictures of what layers can become. That takes long, and few tests look at them.
+    static GOALS: Cell<bool> = const { Cell::new(false) };
+}
+
+/// From now on the windows of this test grow small pictures of what layers can become, as a new user's do.
+pub fn with_goals() {
+    GOALS.set(true);
 }
 
 /// A window of 1280 × 800 points.
@@ -49,6 +60,7 @@ pub fn with(start: Start, size: Vec2, theme: Theme) -> Hand {
 /// A window after its first frame; files may still be being read.
 pub fn opened(mut start: Start, size: Vec2, theme: Theme) -> Hand {
     start.settings.theme = theme.into();
+    start.settings.layout.goals &= GOALS.get();
     let (ask, asked) = channel();
     let window = Harness::builder()
         .with_size(size)

@@ -61,7 +61,6 @@ fn what_is_missing_is_said() {
     let above = session(vec![spots(), parallel()]);
     assert!(offer(&above, Goal::Rings).unwrap().outcome.is_ok());
     assert_eq!(words(&above, Goal::Tone), "only on the lowest layer");
-    assert_eq!(words(&session(vec![parallel(), parallel()]), Goal::Rings), "needs spots on a layer beneath");
 }
 
 #[test]
@@ -81,7 +80,11 @@ fn a_goal_is_taken_and_undone_in_one_step() {
         session.commit();
         let far = |document: &Document| {
             let mut document = document.clone();
-            document.layers.iter_mut().for_each(|layer| layer.far_spacing = None);
+            // A session names new layers.
+            document
+                .layers
+                .iter_mut()
+                .for_each(|layer| (layer.far_spacing, layer.name) = (None, String::new()));
             document
         };
         assert_eq!(far(&session.finished()), far(&offered), "{goal:?}");
