@@ -264,6 +264,7 @@ fn a_backup_folder_that_cannot_be_written_is_reported_once() {
 
 #[test]
 fn the_window_opens_with_its_last_size_and_position() {
+    crate::hand::with_goals();
     let folder = tempfile::tempdir().unwrap();
     let mut hand = window(folder.path(), None);
     hand.press("Canvas");

@@ -64,8 +64,8 @@ fn shape(of: &Shape, definitions: &mut Map<String, Value>) -> Map<String, Value>
         Shape::Flag => json!({"type": "boolean"}),
         Shape::Number(range) => number(range),
         Shape::Whole(range) => whole(range),
-        Shape::Numbers(ranges) => tuple(ranges.iter().map(number).collect()),
-        Shape::Wholes(ranges) => tuple(ranges.iter().map(whole).collect()),
+        Shape::Numbers(ranges) => tuple(&ranges.iter().map(number).collect::<Vec<Value>>()),
+        Shape::Wholes(ranges) => tuple(&ranges.iter().map(whole).collect::<Vec<Value>>()),
         Shape::List(item, length) => {
             let list = json!({"type": "array", "items": shape(item, definitions)});
             with_length(list, ["minItems", "maxItems"], *length)
@@ -87,7 +87,7 @@ fn shape(of: &Shape, definitions: &mut Map<String, Value>) -> Map<String, Value>
 }
 
 /// A list of one value for each of these schemas.
-fn tuple(items: Vec<Value>) -> Value {
+fn tuple(items: &[Value]) -> Value {
     let count = items.len();
     json!({"type": "array", "prefixItems": items, "minItems": count, "maxItems": count})
 }

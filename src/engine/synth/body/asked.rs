@@ -87,19 +87,8 @@ impl Asked {
             filled(training, &choice, mark, spacing)
         };
         let marks = marks.into_iter().enumerate().map(spaced).collect();
-        let mut spreads = Vec::new();
-        let mut notes = threads.as_ref().map_or_else(Vec::new, |form| form.notes.clone());
-        for (wanted, asked) in regions.iter().zip(&asked_spreads) {
-            let Attributes::Spots(spots) = wanted else { continue };
-            if let Some(form) = &choice.areas {
-                spreads.push(form.possible(*asked));
-                continue;
-            }
-            let possible = limited(choice.system, spots, asked, is_given);
-            spreads.push(possible.spread);
-            notes.extend(possible.notes);
-        }
-        notes.dedup();
+        let (spreads, mut notes) = possible(&choice, &regions, &asked_spreads, is_given);
+        notes.extend(threads.iter().flat_map(|form| form.notes.clone()));
         Ok(Self {
             layer: index,
             choice,
@@ -136,6 +125,28 @@ impl Asked {
         let index = row as usize * self.columns + column as usize;
         Some((*self.regions.get(index)?, self.spreads.get(index).copied().unwrap_or(Spread::ZERO)))
     }
+}
+
+/// The spread that the spots of each region can have, and notes on what they cannot.
+fn possible(
+    choice: &Choice,
+    regions: &[Attributes],
+    asked: &[Spread],
+    is_given: bool,
+) -> (Vec<Spread>, Vec<String>) {
+    let (mut spreads, mut notes) = (Vec::new(), Vec::new());
+    for (wanted, asked) in regions.iter().zip(asked) {
+        let Attributes::Spots(spots) = wanted else { continue };
+        if let Some(form) = &choice.areas {
+            spreads.push(form.possible(*asked));
+            continue;
+        }
+        let possible = limited(choice.system, spots, asked, is_given);
+        spreads.push(possible.spread);
+        notes.extend(possible.notes);
+    }
+    notes.dedup();
+    (spreads, notes)
 }
 
 /// With the spacing of spots: their own, one that is given, or the one that the system has by itself.

@@ -264,7 +264,9 @@ impl<'a> BodyGrowth<'a> {
             levelled = roughened(&mut plan, levelled, sigma, seed, corrects);
         }
         let measured = &levelled.measured;
-        if measured.spots.is_empty() && measured.stripes.iter().all(|stripes| stripes.contour == 0.0) {
+        let is_bare =
+            measured.spots.is_empty() && measured.stripes.iter().all(|stripes| stripes.contour == 0.0);
+        if is_bare && points.is_none() {
             return Err(LayerError::Blank { what: "nothing", advice: LayerError::MARKS });
         }
         Ok(BodyLayer { plan, levelled, laid, points, threads, steps, settled })

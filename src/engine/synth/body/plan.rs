@@ -68,6 +68,11 @@ fn shifts(layer: &Layer) -> bool {
     points.is_some_and(|points| points.shift > 0.0 && matches!(points.towards, Towards::Angle(_)))
 }
 
+/// Whether a field of points grows.
+fn is_of_points(choice: &Choice) -> bool {
+    matches!(choice.areas, Some(AreaForm::Points(_)))
+}
+
 /// px a cell that suits what is asked for.
 ///
 /// # Errors
@@ -160,10 +165,8 @@ impl BodyPlan {
         let own = of_anchors.iter().map(|wanted| table.at(wanted).0).collect();
         let of_vertices: Vec<(Parameters, f32)> = lines.par_iter().map(|lines| table.at(lines)).collect();
         let (mut parameters, mut levels): (Vec<Parameters>, Vec<f32>) = of_vertices.into_iter().unzip();
-        if let Some(AreaForm::Points(_)) = asked.choice.areas {
-            // The share above the edge is sought when the field is there.
-            levels.fill(0.5);
-        }
+        // The share of points above the edge is sought when the field is there.
+        levels.iter_mut().filter(|_| is_of_points(&asked.choice)).for_each(|level| *level = 0.5);
         if let (Some(field), true) = (&directions, system.is_striped()) {
             // Where directions turn about a singularity, nothing pulls stripes along them.
             for (p, coherence) in parameters.iter_mut().zip(&field.coherence) {

@@ -3,7 +3,7 @@
 use crate::attributes::system::Family;
 use crate::document::{
     After, AreaKind, Body, BodyMark, Document, DocumentError, Kind, Labels, Layer, LayerOptions, MapKey,
-    Over, Points, Problem, Progression, Seeding, Stroke, SystemChoice, Towards,
+    Points, Problem, Progression, Seeding, Stroke, SystemChoice, Towards,
 };
 use crate::points::fields::POINTS;
 use crate::rd::pairs::PairKind;
@@ -26,7 +26,7 @@ pub fn check<'a>(document: &'a Document, source: &str) -> Result<&'a Body, Docum
 #[must_use]
 pub fn system(layer: &Layer, index: usize) -> Problem {
     let areas = AreaKind::ALL.into_iter().map(|kind| kind.description().name);
-    let others = [POINTS.name, PairKind::Weave.description().name, PairKind::Stripes.description().name];
+    let others = [POINTS.name, PairKind::Stripes.description().name];
     let names: Vec<&str> =
         systems().map(|system| system.description().name).chain(areas).chain(others).collect();
     let found = format!("{:?} on a model", layer.wanted_system().name());
@@ -37,23 +37,15 @@ pub fn system(layer: &Layer, index: usize) -> Problem {
 
 /// Whether threads of a kind of pairs grow on models.
 fn is_thread(system: SystemChoice) -> bool {
-    matches!(system.pairs(), Some(PairKind::Weave | PairKind::Stripes))
+    system.pairs() == Some(PairKind::Stripes)
 }
 
 /// What of threads on a model does not grow: the key, the value, what is allowed.
 fn threads_refused(layer: &Layer) -> Option<(&'static str, &'static str, &'static str)> {
-    if layer.after != After::Between {
-        return Some(("after", "threads round or inside marks on a model", "between"));
-    }
-    if layer.system.pairs() == Some(PairKind::Weave) && !layer.on_model.is_empty() {
-        let allowed = "lines that cross on the canvas: a path on the model has one direction; strokes and pins of the model turn both";
-        return Some(("strokes", "a weave of paths on the model", allowed));
-    }
-    let is_over = layer.options.over != Over::Level;
-    is_over.then_some((
-        "options.over",
-        "threads over others on a model",
-        "level: where threads fork and end they cannot be counted",
+    (layer.after != After::Between).then_some((
+        "after",
+        "threads round or inside marks on a model",
+        "between",
     ))
 }
 

@@ -1,10 +1,11 @@
 //! What is particular to threads of pairs on a surface: the directions of a weave, and the sizes of their pairs.
 
 use crate::attributes::{Attributes, Stripes};
-use crate::document::{After, Document, Problem};
+use crate::document::{After, Document, LayerMaps, Problem};
 use crate::marks::turn;
 use crate::rd::pairs::{PairKind, Threads};
 use crate::synth::error::{LayerError, PlanError};
+use crate::synth::pairs::plan::thread_map::ThreadMap;
 use crate::synth::pairs::plan::{PairForm, PairPlan};
 use crate::synth::training::Training;
 
@@ -61,9 +62,10 @@ impl ThreadForm {
         training: &Training,
     ) -> Result<Option<(Self, Vec<Attributes>)>, LayerError> {
         let layer = &document.layers[index];
+        // On surfaces weaves lose threads where lines end: they are refused until that is solved.
         let kind = match document.pairs(index).filter(|_| layer.after == After::Between) {
-            Some(kind @ (PairKind::Weave | PairKind::Stripes)) => kind,
-            Some(PairKind::Maze | PairKind::Stucco) | None => return Ok(None),
+            Some(kind @ PairKind::Stripes) => kind,
+            Some(PairKind::Weave | PairKind::Maze | PairKind::Stucco) | None => return Ok(None),
         };
         if layer.strokes.is_empty() {
             let (form, lines) = (PairForm::Stripes, vec![layer.on_model.len()]);
@@ -73,7 +75,7 @@ impl ThreadForm {
         let rows = training.pairs(kind.description()).map_err(PlanError::Training)?;
         // Maps vary what is wanted on the model, not on the canvas.
         let mut sketch = document.clone();
-        sketch.layers[index].maps = Default::default();
+        sketch.layers[index].maps = LayerMaps::default();
         let plan = PairPlan::read(&sketch, index, source, document.size.map(f64::from), rows)?;
         if plan.threads.len() > 2 {
             let found = format!("lines of {} directions on a model", plan.threads.len());
@@ -82,12 +84,12 @@ impl ThreadForm {
                 .in_file(source)
                 .into());
         }
-        let all: Vec<Stripes> = plan.threads.iter().map(|threads| threads.mean()).collect();
+        let all: Vec<Stripes> = plan.threads.iter().map(ThreadMap::mean).collect();
         let learnt = match rows {
             Some(rows) => plan.answers(rows).iter().map(|answer| answer.values[0]).collect(),
             None => vec![1.0; all.len()],
         };
-        let regions = plan.threads.first().map_or_else(Vec::new, |first| first.of_regions());
+        let regions = plan.threads.first().map_or_else(Vec::new, ThreadMap::of_regions);
         let form = Self {
             second: all.get(1).map(|own| Second::new(&all[0], own)),
             lines: plan.threads.iter().map(|threads| threads.lines.len()).collect(),

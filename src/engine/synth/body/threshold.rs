@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use crate::attributes::Attributes;
 use crate::grid::Domain;
 use crate::measure::{SurfaceSpot, SurfaceStripes, surface_spots, surface_stripes};
+use crate::synth::body::area_form::AreaForm;
 use crate::synth::body::plan::BodyPlan;
 use crate::synth::passes::{Levelling, Thresholds};
 use crate::synth::pattern::{EDGE, share};
@@ -40,7 +41,11 @@ impl Measured {
     /// Measures the marks of a pattern.
     #[must_use]
     pub fn new(plan: &BodyPlan, pattern: &[f32]) -> Self {
-        if plan.choice.system.is_striped() {
+        if let Some(AreaForm::Points(_)) = plan.choice.areas {
+            // A field of points has no single marks.
+            let sums = vec![Sums::default(); plan.anchors.len()];
+            Self { spots: Vec::new(), anchor: Vec::new(), stripes: Vec::new(), sums }
+        } else if plan.choice.system.is_striped() {
             Self::of_stripes(plan, pattern)
         } else {
             Self::of_spots(plan, pattern)

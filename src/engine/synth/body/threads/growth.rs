@@ -171,7 +171,10 @@ impl ThreadGrowth {
     pub fn complete(self) -> Option<GrownThreads> {
         let Grown { patterns, reports } = self.grown?;
         let steps = self.steps[1] + self.pairs.steps();
-        let highest = |vertex: usize| patterns.iter().map(|own| own[vertex]).fold(0.0, f32::max);
+        let highest = |vertex: usize| {
+            let shown = patterns.iter().filter(|_| !self.plan.maps.is_obstacle(vertex));
+            shown.map(|own| own[vertex]).fold(0.0, f32::max)
+        };
         let marks = (0..self.plan.maps.parameters.len()).map(highest).collect();
         Some(GrownThreads { plan: self.plan, marks, reports, steps })
     }
