@@ -326,12 +326,13 @@ impl Goal {
 }
 
 fn has_two_directions(marks: &[Option<Mark>]) -> bool {
-    let angles: Vec<f64> = marks.iter().flatten().filter_map(Mark::path).flat_map(directions).collect();
+    let angles: Vec<f64> =
+        marks.iter().flatten().filter_map(Mark::path).filter_map(|path| direction(&path)).collect();
     angles.iter().any(|angle| turn(*angle, angles[0]).abs() > TWO_DIRECTIONS)
 }
 
 /// The direction from end to end.
-fn directions(path: crate::marks::Path) -> Option<f64> {
+fn direction(path: &crate::marks::Path) -> Option<f64> {
     let (from, to) = (*path.points.first()?, *path.points.last()?);
     Some((to[1] - from[1]).atan2(to[0] - from[0]).to_degrees())
 }

@@ -6,7 +6,7 @@ use crate::attributes::Spread;
 use crate::document::{Kind, LayerOptions, OptionKey, Outline, RaggedChoice, SpreadChoice, Stroke, limits};
 use crate::editor::layer_choices::{has_option, option_refusal};
 use crate::editor::session::Session;
-use crate::marks::{Ellipse, ellipse_of_outline};
+use crate::marks::{Ellipse, Mark, ellipse_of_outline};
 use crate::sketch::difference_from_ellipse;
 
 /// The least mean raggedness of drawn outlines, (contour ÷ that of the ellipse)², that is meant: smooth ones drawn by hand have 1.1
@@ -87,7 +87,7 @@ pub fn suggestions(session: &Session, layer: usize) -> Vec<Suggestion> {
     if kind != Some(Kind::Ellipse) || session.areas(layer).is_some() || of.is_of_points() || of.is_driven() {
         return Vec::new();
     }
-    let ellipses: Vec<Ellipse> = session.marks_of(layer).iter().filter_map(|mark| mark.ellipse()).collect();
+    let ellipses: Vec<Ellipse> = session.marks_of(layer).iter().filter_map(Mark::ellipse).collect();
     let found = [by_outlines(&of.strokes), by_sizes(&ellipses)];
     let is_possible = |one: &Suggestion| {
         let option = one.option();

@@ -21,7 +21,7 @@ impl Break {
             (Value::Object(object), None) => drop(object.remove(key)),
             (Value::Object(object), Some(value)) => drop(object.insert(key.to_owned(), value.clone())),
             (Value::Array(list), Some(value)) => {
-                list[key.parse::<usize>().expect("an index")] = value.clone()
+                list[key.parse::<usize>().expect("an index")] = value.clone();
             }
             _ => panic!("{} is in no object", self.place),
         }
