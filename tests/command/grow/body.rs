@@ -161,11 +161,6 @@ fn check_lists_what_will_grow_on_a_model_and_refuses_what_cannot() {
         &["layers[0].system: found \"stucco\" on a model", "turing-spots"],
     );
     document = ball();
-    let noise = json!({"size": 50, "octaves": 1, "range": [0, 0.2]});
-    document["layers"][0]["maps"] = json!({"colour": {"noise": noise}});
-    folder.write("a.dapple", &document.to_string());
-    folder.refuses("grow a.dapple -o a.png", 1, &["layers[0].maps.colour: found ", "on a model"]);
-    document = ball();
     document["model"]["px"] = json!(60_000);
     folder.write("a.dapple", &document.to_string());
     folder.refuses("grow a.dapple -o a.png", 1, &["layer 1 "]);
