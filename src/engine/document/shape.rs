@@ -1,5 +1,5 @@
 //! The shape of documents: the keys of each object, and the values that they may have. Each table is beside the code that reads its
-//! object. The reader takes the names of keys from it, and [`crate::document::schema`] prints all of it.
+//! object. The reader takes the names of keys from it, and [`crate::document::schema()`] prints all of it.
 
 use crate::document::limits::Range;
 
