@@ -11,7 +11,7 @@ fn the_commands_of_the_page_on_scripts_run_one_after_the_other() {
     let page = fs::read_to_string(page).expect("the page");
     let blocks: Vec<&str> =
         page.split("```bash\n").skip(1).filter_map(|rest| rest.split("\n```").next()).collect();
-    assert!(blocks.len() >= 8, "{}", blocks.len());
+    assert!(blocks.len() >= 7, "{}", blocks.len());
     let folder = tempfile::tempdir().unwrap();
     let program = assert_cmd::cargo::cargo_bin!("dapple").parent().expect("a folder").to_owned();
     let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap_or_default());
