@@ -21,7 +21,8 @@ const RING: f64 = 0.45;
 const DARK: f64 = 0.42;
 /// The distance of the points of such a field ÷ the mean radius of the marks: several points of the same value are a blotch.
 const POINTS_A_RADIUS: f64 = 0.6;
-/// The way of the line that stands for them, from the left and the lower border, as a share of the canvas, and its length in widths.
+/// Where the line begins that stands for added rings or an added net: its distance from the left and the lower border, as a share of the canvas; and
+/// its length, in its widths.
 const RING_LINE: (f64, f64) = (0.05, 4.0);
 
 /// What a layer can become.

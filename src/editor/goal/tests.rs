@@ -61,6 +61,8 @@ fn what_is_missing_is_said() {
     let above = session(vec![spots(), parallel()]);
     assert!(offer(&above, Goal::Rings).unwrap().outcome.is_ok());
     assert_eq!(words(&above, Goal::Tone), "only on the lowest layer");
+    let above_stripes = session(vec![parallel(), parallel()]);
+    assert!(offer(&above_stripes, Goal::Rings).unwrap().outcome.is_ok(), "they go round stripes, too");
 }
 
 #[test]

@@ -1,12 +1,13 @@
 //! Random sketches like those that are drawn by hand: groups of a few marks here and there, whose size and direction change steadily
 //! across the canvas.
 
+use std::f64::consts::TAU;
+
 use super::dice::Dice;
 use super::kind::Kind;
 use crate::colour::PRESETS;
 use crate::document::{Colours, Document, GapChoice, Layer, LayerOptions, Stroke, SystemChoice};
 use crate::marks::Ellipse;
-use std::f64::consts::TAU;
 
 /// Distance from one mark to the next, px; at most this share of the side.
 const SPACING: [f64; 2] = [15.0, 60.0];
@@ -107,6 +108,7 @@ fn drawn(kind: Kind, side: f64, dice: &mut Dice) -> (Vec<Stroke>, LayerOptions, 
         Kind::Patches => {
             let packing = dice.between(PACKING_OF_PATCHES);
             let aspect = dice.between(ASPECT_OF_AREAS);
+            // Corners take numbers of their own, while `dice` lays the ellipses.
             let mut corners = Dice::of_item(dice.seed(), 0, 0);
             let ragged = corners.between([0.02, RAGGED]);
             let outline = |spot| outline(&spot, ragged, &mut corners);
@@ -115,6 +117,7 @@ fn drawn(kind: Kind, side: f64, dice: &mut Dice) -> (Vec<Stroke>, LayerOptions, 
         Kind::Cells => {
             options.gap = GapChoice::Given(dice.between([1.5, 5.0]));
             let aspect = dice.between(ASPECT_OF_AREAS);
+            // Cells fill the canvas: only the spacing and the form of the ellipses say how large they are.
             (
                 ellipses(dice, (side, SPACING_OF_AREAS), (0.6, aspect), Stroke::Ellipse),
                 options,
@@ -189,18 +192,22 @@ fn lines(dice: &mut Dice, side: f64) -> Vec<Stroke> {
     strokes
 }
 
-/// The middles of groups, far enough from each other and from the border.
+/// The middles of groups, so far from each other that the marks of two do not touch, and from the border that these lie on the canvas.
 fn places(dice: &mut Dice, field: &Field) -> Vec<[f64; 2]> {
     /// Places that are tried.
     const TRIES: usize = 40;
+    /// The distance of two middles, in spacings: a group of lines is three wide, with errors of drawing.
+    const APART: f64 = 3.2;
+    /// The distance from the border, in spacings, and at most as a share of the side.
+    const INSIDE: [f64; 2] = [1.5, 0.3];
     let count = GROUPS[0] + dice.below(GROUPS[1] - GROUPS[0] + 1);
-    let margin = (1.5 * field.spacing).min(0.3 * field.side);
+    let margin = (INSIDE[0] * field.spacing).min(INSIDE[1] * field.side);
     let mut places: Vec<[f64; 2]> = Vec::new();
     for _ in 0..TRIES {
         let place = [0, 1].map(|_| dice.between([margin, field.side - margin]));
         let is_free = places
             .iter()
-            .all(|other| libm::hypot(place[0] - other[0], place[1] - other[1]) > 3.2 * field.spacing);
+            .all(|other| libm::hypot(place[0] - other[0], place[1] - other[1]) > APART * field.spacing);
         if is_free || places.is_empty() {
             places.push(place);
         }

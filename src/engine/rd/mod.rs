@@ -65,7 +65,7 @@ pub use kinetics::{Kinetics, Spreading};
 pub use line_noise::GuideLine;
 pub use local_warp::LocalWarp;
 pub use nuclei::{Hindrance, PinnedSpot, Places, ROUNDS, adjust_to_walls, placeable, relax_places};
-pub use on_surface::{SurfaceGrowth, SurfacePairField, SurfacePairs};
+pub use on_surface::{SurfaceGrowth, SurfacePair, SurfacePairField};
 pub use oriented_waves::{GuideSegment, WaveStart, WaveValue, waves_from};
 pub use parameter_field::{GuideCurves, ParameterField, Parameters};
 pub use prolongation::prolongate;

@@ -46,19 +46,14 @@ impl SurfaceGrowth {
         if !operators.fit(system)
             || !fits(maps.parameters.len())
             || has_obstacles && !fits(maps.obstacles.len())
-            || !concentrations.iter().all(|chemical| fits(chemical.len()))
         {
             return None;
         }
-        let row =
-            |chemical: &Vec<f32>| operators.order.iter().map(|vertex| chemical[*vertex as usize]).collect();
-        let rows: Vec<Vec<f32>> = concentrations.iter().map(row).collect();
-        let noise: Vec<f32> = if maps.decay_noise.is_empty() {
-            Vec::new()
-        } else if fits(maps.decay_noise.len()) {
-            row(&maps.decay_noise)
-        } else {
-            return None;
+        let rows = concentrations.iter().map(|chemical| operators.by_row(chemical));
+        let rows = rows.collect::<Option<Vec<_>>>()?;
+        let noise = match maps.decay_noise.as_slice() {
+            [] => Vec::new(),
+            noise => operators.by_row(noise)?,
         };
         let chemicals = reacting(&rows, &noise)?;
         let mut problem = SparseProblem::new(system, operators, &maps.parameters);
@@ -143,13 +138,6 @@ impl SurfaceGrowth {
     /// The concentrations of each chemical, by vertex.
     #[must_use]
     pub fn concentrations(&self) -> Vec<Vec<f32>> {
-        let by_vertex = |rows: Vec<f32>| {
-            let mut values = vec![0.0; rows.len()];
-            for (vertex, value) in self.problem.operators.order.iter().zip(rows) {
-                values[*vertex as usize] = value;
-            }
-            values
-        };
-        self.chemicals.rows().into_iter().map(by_vertex).collect()
+        self.chemicals.rows().iter().map(|rows| self.problem.operators.by_vertex(rows)).collect()
     }
 }

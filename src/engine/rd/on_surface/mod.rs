@@ -9,10 +9,10 @@
 
 mod growth;
 mod operators;
-mod pairs;
+mod pair;
 mod problem;
 #[cfg(test)]
 mod tests;
 
 pub use growth::SurfaceGrowth;
-pub use pairs::{SurfacePairField, SurfacePairs};
+pub use pair::{SurfacePair, SurfacePairField};

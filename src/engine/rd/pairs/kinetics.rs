@@ -147,22 +147,14 @@ pub(super) fn held_pairs(planes: Vec<Plane>) -> Option<Box<dyn Chemicals>> {
     }
 }
 
-/// The morphogens of one or two pairs by vertex of a surface with the reaction of `model`; `None` for another number of vectors.
+/// C₊ and C₋ of one pair by vertex of a surface, with the reaction of `model`; `None` for another number of vectors.
 #[must_use]
-pub fn reacting_pairs_by_rows(model: PairModel, rows: &[Vec<f32>]) -> Option<Box<dyn SparseChemicals>> {
-    match rows.len() {
-        2 => reacting_by_rows(PairReaction::<2>::new(model), rows),
-        4 => reacting_by_rows(PairReaction::<4>::new(model), rows),
-        _ => None,
-    }
+pub fn reacting_pair_by_rows(model: PairModel, rows: &[Vec<f32>]) -> Option<Box<dyn SparseChemicals>> {
+    reacting_by_rows(PairReaction::<2>::new(model), rows)
 }
 
-/// The morphogens of one or two pairs by vertex of a surface, and a reaction that is held; `None` for another number of vectors.
+/// C₊ and C₋ of one pair by vertex of a surface, and a reaction that is held; `None` for another number of vectors.
 #[must_use]
-pub fn held_pairs_by_rows(rows: &[Vec<f32>]) -> Option<Box<dyn SparseChemicals>> {
-    match rows.len() {
-        3 => reacting_by_rows(HeldReaction::<3>, rows),
-        5 => reacting_by_rows(HeldReaction::<5>, rows),
-        _ => None,
-    }
+pub fn held_pair_by_rows(rows: &[Vec<f32>]) -> Option<Box<dyn SparseChemicals>> {
+    reacting_by_rows(HeldReaction::<3>, rows)
 }

@@ -31,7 +31,7 @@ mod tests;
 
 pub use growth::PairGrowth;
 pub use kind::PairKind;
-pub(in crate::rd) use kinetics::{held_pairs_by_rows, reacting_pairs_by_rows};
+pub(in crate::rd) use kinetics::{held_pair_by_rows, reacting_pair_by_rows};
 pub(in crate::rd) use shared_grid::{STEP_LIMIT, SUPER_STEP_LIMIT};
 pub use start::{HELD, PairStart};
 pub use stucco::Stucco;

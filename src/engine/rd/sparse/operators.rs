@@ -31,6 +31,23 @@ impl Operators {
         Self { slices: rows.iter().map(Slices::new).collect(), rows, order }
     }
 
+    /// Values by vertex, in the order of the rows; `None` for another number of them.
+    #[must_use]
+    pub fn by_row(&self, values: &[f32]) -> Option<Vec<f32>> {
+        let fits = values.len() == self.order.len();
+        fits.then(|| self.order.iter().map(|vertex| values[*vertex as usize]).collect())
+    }
+
+    /// Values in the order of the rows, by vertex.
+    #[must_use]
+    pub fn by_vertex(&self, rows: &[f32]) -> Vec<f32> {
+        let mut values = vec![0.0; rows.len()];
+        for (vertex, value) in self.order.iter().zip(rows) {
+            values[*vertex as usize] = *value;
+        }
+        values
+    }
+
     /// Number of vertices.
     #[must_use]
     pub fn vertices(&self) -> usize {

@@ -37,8 +37,8 @@ pub fn asked_on(
     if let Some(form) = &choice.areas {
         return Ok(form.law(system, wanted, cell));
     }
-    if choice.threads.is_some() {
-        return Ok(choice.law_of_threads(wanted, cell));
+    if choice.pair.is_some() {
+        return Ok(Choice::no_parameters(wanted));
     }
     if let Some((kind, laws)) = choice.curves {
         return Ok(law(kind, &laws, wanted, cell));

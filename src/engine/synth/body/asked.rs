@@ -5,8 +5,8 @@ use crate::document::{Body, BodyEllipse, BodyMark, Document, Layer, LayerOptions
 use crate::marks::axial;
 use crate::synth::body::area_form::AreaForm;
 use crate::synth::body::choice::Choice;
+use crate::synth::body::pair_form::PairForm;
 use crate::synth::body::refusals;
-use crate::synth::body::thread_form::ThreadForm;
 use crate::synth::drawn::sketch_targets::region_map;
 use crate::synth::error::LayerError;
 use crate::synth::marks::plan::free_spacing;
@@ -20,8 +20,8 @@ pub struct Asked {
     pub layer: usize,
     /// What grows it.
     pub choice: Choice,
-    /// Its threads; `None` of other marks.
-    pub threads: Option<ThreadForm>,
+    /// The pair of its stripes with tips; `None` of other marks.
+    pub pair: Option<PairForm>,
     /// What each region asks for, row by row, or the whole sketch; none where nothing is drawn on the canvas.
     pub regions: Vec<Attributes>,
     /// How much the spots of each region vary.
@@ -54,9 +54,9 @@ impl Asked {
         let pinned = document.regions.filter(|_| !body.pins.is_empty()).unwrap_or([1, 1]);
         let (mut regions, mut asked_spreads, mut is_given) = (Vec::new(), Vec::new(), false);
         let sketch = Document { regions: Some(pinned), ..document.clone() };
-        let mut threads = None;
-        if let Some((form, of_first)) = ThreadForm::read(&sketch, index, source, training)? {
-            (threads, regions) = (Some(form), of_first);
+        let mut pair = None;
+        if let Some((form, of_regions)) = PairForm::read(&sketch, index, source, training)? {
+            (pair, regions) = (Some(form), of_regions);
         } else if !layer.strokes.is_empty() {
             let map = region_map(&sketch, index, source)?;
             regions = map.of_regions();
@@ -72,10 +72,7 @@ impl Asked {
         asked_spreads.resize(regions.len(), Spread::ZERO);
         let all: Vec<Attributes> = regions.iter().chain(&marks).copied().collect();
         let refused = || refusals::system(layer, index).in_file(source);
-        let choice = match &threads {
-            Some(form) => Choice::of_threads(form.kind()),
-            None => Choice::new(layer, &all, areas),
-        };
+        let choice = if pair.is_some() { Choice::of_pair_stripes() } else { Choice::new(layer, &all, areas) };
         let choice = choice.ok_or_else(refused)?;
         let is_free =
             all.iter().all(|wanted| wanted.distance().is_none()) && drawn.iter().all(Option::is_none);
@@ -88,11 +85,11 @@ impl Asked {
         };
         let marks = marks.into_iter().enumerate().map(spaced).collect();
         let (spreads, mut notes) = possible(&choice, &regions, &asked_spreads, is_given);
-        notes.extend(threads.iter().flat_map(|form| form.notes.clone()));
+        notes.extend(pair.iter().flat_map(|form| form.notes.clone()));
         Ok(Self {
             layer: index,
             choice,
-            threads,
+            pair,
             marks,
             regions,
             spreads,

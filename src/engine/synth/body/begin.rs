@@ -4,8 +4,7 @@ use crate::attributes::Attributes;
 use crate::document::{After, BodyMark, Document, Seeding};
 use crate::measure::surface_stripes;
 use crate::rd::{
-    GuideSegment, ParameterField, Parameters, PinnedSpot, Places, System, from_places, from_wave_values,
-    initial_waves, waves_from,
+    GuideSegment, Parameters, PinnedSpot, Places, from_places, from_wave_values, initial_waves, waves_from,
 };
 use crate::surface::{Surface, SurfacePoint, distances};
 use crate::synth::body::anchors::{ellipses, place_of};
@@ -97,14 +96,19 @@ pub fn keeps(document: &Document, layer: usize) -> bool {
     !layer.on_model.is_empty() && layer.options.keep.unwrap_or(true)
 }
 
+/// The paths that are drawn on the model for a layer and are among the marks that grow: points in the coordinates of the file.
+pub fn kept_paths(document: &Document, layer: usize) -> impl Iterator<Item = &Vec<[f64; 3]>> {
+    let marks = document.layers[layer].on_model.iter().filter(move |_| keeps(document, layer));
+    marks.filter_map(|mark| match mark {
+        BodyMark::Path { points, .. } => Some(points),
+        BodyMark::Ellipse(_) => None,
+    })
+}
+
 fn stripes(document: &Document, placed: &Placed, plan: &mut BodyPlan) -> Result<Vec<Vec<f32>>, LayerError> {
     let layer = &document.layers[plan.layer];
     let system = plan.choice.system;
-    let paths = layer.on_model.iter().filter_map(|mark| match mark {
-        BodyMark::Path { points, .. } => Some(points),
-        BodyMark::Ellipse(_) => None,
-    });
-    let paths = paths.filter(|_| keeps(document, plan.layer));
+    let paths = kept_paths(document, plan.layer);
     let values = if let Some(curves) = &plan.curves {
         Some(curves.phases(system, &plan.maps))
     } else if layer.options.seeding == Seeding::Initiators {
@@ -119,47 +123,33 @@ fn stripes(document: &Document, placed: &Placed, plan: &mut BodyPlan) -> Result<
     } else {
         let guides = paths.flat_map(|points| guides(points, placed, plan)).collect::<Vec<_>>();
         let seed = document.layer_seed(plan.layer);
-        let wanted: Vec<Option<f64>> = plan.wanted.iter().map(Attributes::distance).collect();
-        phases(system, &mut plan.maps, &|vertex| wanted[vertex], seed, &guides)
+        let waves = |plan: &BodyPlan| initial_waves(system, &plan.maps, seed, &guides);
+        let values = waves(plan);
+        match values.as_ref().and_then(|values| longer(plan, values)) {
+            Some(by) => {
+                plan.maps.parameters.iter_mut().for_each(|p| p.pitch *= by as f32);
+                waves(plan)
+            }
+            None => values,
+        }
     };
     let concentrations = values.and_then(|values| from_wave_values(system, &plan.maps, &values));
     concentrations.ok_or(LayerError::NoRoom)
 }
 
-/// The phases of lines, −π..π and 0 along their middles, which follow the `guides` and are so many px apart at each vertex; `None` of
-/// systems that do not begin from phases.
-fn phases(
-    system: System,
-    maps: &mut ParameterField<Surface>,
-    wanted: &dyn Fn(usize) -> Option<f64>,
-    seed: u64,
-    guides: &[GuideSegment<SurfacePoint>],
-) -> Option<Vec<f32>> {
-    let values = initial_waves(system, maps, seed, guides)?;
-    match longer(system, &maps.domain, wanted, &values) {
-        Some(by) => {
-            maps.parameters.iter_mut().for_each(|p| p.pitch *= by as f32);
-            initial_waves(system, maps, seed, guides)
-        }
-        None => Some(values),
-    }
-}
-
 /// By how much the lines must begin farther apart so that the distance between them is the one that is wanted; `None` for stripes whose
 /// distance follows from their width. Where waves meet more crests begin than their length says, by some per cent.
-fn longer(
-    system: System,
-    surface: &Surface,
-    wanted: &dyn Fn(usize) -> Option<f64>,
-    phases: &[f32],
-) -> Option<f64> {
-    if !system.description().free_spacing {
+fn longer(plan: &BodyPlan, phases: &[f32]) -> Option<f64> {
+    if !plan.choice.system.description().free_spacing {
         return None;
     }
     let cosines: Vec<f32> = phases.iter().map(|phase| libm::cosf(*phase)).collect();
+    let surface = plan.surface();
     let found = surface_stripes(surface, &cosines, 0.0, 1, &|_| 0).first()?.wavelength()?;
-    let crests = |vertex: usize| surface.cell_area(vertex) / wanted(vertex).unwrap_or(found);
-    let expected: f64 = (0..phases.len()).map(crests).sum();
+    let crests = |(vertex, wanted): (usize, &Attributes)| {
+        surface.cell_area(vertex) / wanted.distance().unwrap_or(found)
+    };
+    let expected: f64 = plan.wanted.iter().enumerate().map(crests).sum();
     Some((surface.mesh.area() / expected / found).clamp(0.8, 1.25))
 }
 

@@ -19,14 +19,11 @@ pub struct Choice {
     pub polarity: Polarity,
     /// The curves round or between the marks beneath that its lines run along, and the laws of these; `None` where they run freely.
     pub curves: Option<(CurveKind, LinesAlongCurves)>,
-    /// The kind of threads of pairs: `system` only lays the lines that they begin from; `None` of other marks.
-    pub threads: Option<PairKind>,
+    /// The kind of pair of morphogens, which does not grow by `system`; `None` of other marks.
+    pub pair: Option<PairKind>,
     /// The form of patches or cells, which do not react: `system` lays their places; `None` of other marks.
     pub areas: Option<AreaForm>,
 }
-
-/// D_b/Dₐ of the system that lays the lines of threads; it cancels out.
-const RATIO: f64 = 15.0;
 
 /// Whether a system grows on models.
 #[must_use]
@@ -83,30 +80,28 @@ impl Choice {
     /// Marks of a system that grow freely.
     #[must_use]
     pub const fn of(system: System) -> Self {
-        Self { system, polarity: Polarity::Positive, curves: None, threads: None, areas: None }
+        Self { system, polarity: Polarity::Positive, curves: None, pair: None, areas: None }
     }
 
-    /// Threads of this kind; `None` where no system lays lines at any distance.
+    /// Stripes with tips; `None` where no system has stripes at any distance, by whose rules they are read.
     #[must_use]
-    pub fn of_threads(kind: PairKind) -> Option<Self> {
+    pub fn of_pair_stripes() -> Option<Self> {
         let system = SystemChoice::system_of_stripes(true).filter(|system| grows(*system))?;
-        Some(Self { threads: Some(kind), ..Self::of(system) })
+        Some(Self { pair: Some(PairKind::Stripes), ..Self::of(system) })
     }
 
-    /// The parameters by which the lines are laid that threads begin from, on cells of `cell` px; nothing is looked up.
+    /// The parameters of marks of which nothing is looked up, because another law than that of `system` gives their sizes.
     #[must_use]
-    pub fn law_of_threads(&self, wanted: &Attributes, cell: f64) -> Answer {
-        let wavelength = wanted.distance().unwrap_or(cell);
-        let root = (self.system.definition().laws.spacing)(RATIO as f32) * cell / wavelength;
-        let (ratio, level) = (Some(RATIO), Some(0.5));
-        let parameters = Parameters { rate: root * root, ratio, stretch: 1.0, direction: 0.0, level };
+    pub fn no_parameters(wanted: &Attributes) -> Answer {
+        let parameters =
+            Parameters { rate: 1.0, ratio: None, stretch: 1.0, direction: 0.0, level: Some(0.5) };
         Answer::of_law(parameters, *wanted)
     }
 
     /// The description of what grows.
     #[must_use]
     pub fn description(&self) -> &'static Description {
-        if let Some(kind) = self.threads {
+        if let Some(kind) = self.pair {
             return kind.description();
         }
         self.areas.map_or(self.system.description(), |form| form.description())

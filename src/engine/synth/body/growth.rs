@@ -13,17 +13,17 @@ use crate::synth::body::drawn_spacing::drawn_spacing;
 use crate::synth::body::grown::GrownBody;
 use crate::synth::body::layer::BodyLayer;
 use crate::synth::body::needs;
+use crate::synth::body::pair_stripes::{GrownPairStripes, PairStripesGrowth};
 use crate::synth::body::placed::Placed;
 use crate::synth::body::plan::{self, BodyPlan};
 use crate::synth::body::ragged::roughened;
 use crate::synth::body::refusals;
 use crate::synth::body::remeshed::Remeshed;
-use crate::synth::body::threads::{GrownThreads, ThreadGrowth};
 use crate::synth::body::threshold::Levelled;
 use crate::synth::error::{GrowError, LayerError};
 use crate::synth::marks::grow::convergence::{ConvergenceMonitor, Verdict};
 use crate::synth::options::Options;
-use crate::synth::report::{PointsReport, ThreadReport};
+use crate::synth::report::PointsReport;
 use crate::synth::watch::Stage;
 
 /// Vertex updates between two looks at whether the growth was cancelled: about 20 ms of one core.
@@ -64,8 +64,8 @@ enum State {
     Begin(Box<Model>, Box<BodyPlan>, Box<Surface>),
     /// It grows.
     Grow(Box<Model>, Box<Growing>),
-    /// Threads of pairs grow.
-    Threads(Box<Model>, Box<ThreadGrowth>),
+    /// Stripes with tips grow.
+    Pair(Box<Model>, Box<PairStripesGrowth>),
     /// It has grown.
     Level(Box<Model>, Box<Growing>, bool),
     /// All is done.
@@ -99,7 +99,6 @@ struct Formed {
     marks: Vec<f32>,
     laid: usize,
     points: Option<PointsReport>,
-    threads: Vec<ThreadReport>,
     steps: u64,
     settled: bool,
 }
@@ -107,12 +106,7 @@ struct Formed {
 impl Formed {
     /// Marks that have formed by themselves and settled.
     fn new(plan: BodyPlan, marks: Vec<f32>, steps: u64) -> Self {
-        Self { plan, marks, laid: 0, points: None, threads: Vec::new(), steps, settled: true }
-    }
-
-    fn of_threads(grown: GrownThreads) -> Self {
-        let GrownThreads { plan, marks, reports, steps } = grown;
-        Self { threads: reports, ..Self::new(plan, marks, steps) }
+        Self { plan, marks, laid: 0, points: None, steps, settled: true }
     }
 }
 
@@ -165,12 +159,13 @@ impl<'a> BodyGrowth<'a> {
             }
             State::Begin(model, plan, coarse) => self.begin_layer(model, *plan, &coarse)?,
             State::Grow(model, growing) => grow(model, growing, budget),
-            State::Threads(model, mut threads) => {
-                if !threads.advance(self.document, &model.placed, budget)? {
-                    return Ok(State::Threads(model, threads));
+            State::Pair(model, mut stripes) => {
+                if !stripes.advance(budget)? {
+                    return Ok(State::Pair(model, stripes));
                 }
-                let grown = threads.complete().ok_or(LayerError::NoPattern)?;
-                self.next_layer(model, Formed::of_threads(grown))?
+                let GrownPairStripes { plan, marks, steps } =
+                    stripes.complete().ok_or(LayerError::NoPattern)?;
+                self.next_layer(model, Formed::new(plan, marks, steps))?
             }
             State::Level(model, growing, settled) => {
                 let Growing { plan, growth, laid, .. } = *growing;
@@ -209,10 +204,10 @@ impl<'a> BodyGrowth<'a> {
         mut plan: BodyPlan,
         coarse: &Surface,
     ) -> Result<State, LayerError> {
-        if let Some(form) = model.asked[model.layers.len()].threads.clone() {
+        if let Some(form) = model.asked[model.layers.len()].pair.clone() {
             let corrects = self.corrects();
-            let threads = ThreadGrowth::begin(self.document, &model.placed, plan, form, corrects)?;
-            return Ok(State::Threads(model, Box::new(threads)));
+            let stripes = PairStripesGrowth::begin(self.document, &model.placed, plan, form, corrects)?;
+            return Ok(State::Pair(model, Box::new(stripes)));
         }
         let Initial { mut concentrations, laid, points } =
             begin(self.document, &model.placed, &mut plan, coarse, &model.layers)?;
@@ -244,7 +239,7 @@ impl<'a> BodyGrowth<'a> {
 
     /// Makes the pattern of what has formed.
     fn level(&self, formed: Formed) -> Result<BodyLayer, LayerError> {
-        let Formed { mut plan, mut marks, laid, points, threads, steps, settled } = formed;
+        let Formed { mut plan, mut marks, laid, points, steps, settled } = formed;
         if marks.iter().any(|mark| !mark.is_finite()) {
             return Err(LayerError::NoPattern);
         }
@@ -253,9 +248,8 @@ impl<'a> BodyGrowth<'a> {
             let width = widths(&plan.wanted).into_iter().fold(f64::INFINITY, f64::min);
             marks = curves.levelled(plan.surface(), &marks, width);
         }
-        // The share of points and the widths of a weave are right already.
-        let is_done = points.is_some() || threads.len() > 1;
-        let corrects = self.corrects() && !is_done;
+        // The share of points is right already.
+        let corrects = self.corrects() && points.is_none();
         let mut levelled = Levelled::new(&plan, &marks, corrects);
         if let (RaggedChoice::Given(sigma), None) =
             (self.document.layers[plan.layer].options.ragged, plan.choice.areas)
@@ -269,7 +263,7 @@ impl<'a> BodyGrowth<'a> {
         if is_bare && points.is_none() {
             return Err(LayerError::Blank { what: "nothing", advice: LayerError::MARKS });
         }
-        Ok(BodyLayer { plan, levelled, laid, points, threads, steps, settled })
+        Ok(BodyLayer { plan, levelled, laid, points, steps, settled })
     }
 
     /// Whether levels are corrected.
@@ -297,7 +291,7 @@ impl<'a> BodyGrowth<'a> {
                 let share = (growing.growth.steps() as f64 / expected).min(1.0);
                 within(model, Stage::Grow, 0.5 + 0.45 * share)
             }
-            State::Threads(model, threads) => within(model, Stage::Grow, 0.5 + 0.45 * threads.share()),
+            State::Pair(model, stripes) => within(model, Stage::Grow, 0.5 + 0.45 * stripes.share()),
             State::Level(model, ..) => within(model, Stage::Refine, 0.95),
             State::Done(_) | State::Failed => (Stage::Refine, 1.0),
         }
@@ -341,7 +335,7 @@ impl State {
             Self::Read | Self::Done(_) | Self::Failed => 0,
             Self::Check(model) | Self::Remesh(model, _) | Self::Plan(model, _) => model.layers.len(),
             Self::Begin(model, ..) | Self::Grow(model, _) | Self::Level(model, ..) => model.layers.len(),
-            Self::Threads(model, _) => model.layers.len(),
+            Self::Pair(model, _) => model.layers.len(),
         }
     }
 }

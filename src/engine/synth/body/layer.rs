@@ -2,7 +2,7 @@
 
 use crate::synth::body::plan::BodyPlan;
 use crate::synth::body::threshold::{Levelled, Measured};
-use crate::synth::report::{PointsReport, ThreadReport};
+use crate::synth::report::PointsReport;
 
 /// A layer that has grown on a model.
 pub struct BodyLayer {
@@ -14,8 +14,6 @@ pub struct BodyLayer {
     pub laid: usize,
     /// The report of a field of points; `None` of other marks.
     pub points: Option<PointsReport>,
-    /// The threads of each direction; none of other marks.
-    pub threads: Vec<ThreadReport>,
     /// Steps taken.
     pub steps: u64,
     /// Whether the pattern settled within its time.

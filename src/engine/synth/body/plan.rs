@@ -82,7 +82,7 @@ pub fn cell(document: &Document, asked: &Asked, training: &Training) -> Result<f
     let mut finest = f64::INFINITY;
     let maps = BodyMaps::new(document, asked.layer, asked.is_free);
     for wanted in asked.all().flat_map(|wanted| maps.extremes(*wanted)) {
-        if let Some(form) = &asked.threads {
+        if let Some(form) = &asked.pair {
             finest = finest.min(form.cell(&wanted));
             continue;
         }

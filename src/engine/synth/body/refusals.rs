@@ -35,18 +35,9 @@ pub fn system(layer: &Layer, index: usize) -> Problem {
     Problem::new(format!("layers[{index}].system"), found, allowed)
 }
 
-/// Whether threads of a kind of pairs grow on models.
-fn is_thread(system: SystemChoice) -> bool {
+/// Whether a layer asks for stripes with tips, the kind of pairs that grows on models.
+fn is_pair_stripes(system: SystemChoice) -> bool {
     system.pairs() == Some(PairKind::Stripes)
-}
-
-/// What of threads on a model does not grow: the key, the value, what is allowed.
-fn threads_refused(layer: &Layer) -> Option<(&'static str, &'static str, &'static str)> {
-    (layer.after != After::Between).then_some((
-        "after",
-        "threads round or inside marks on a model",
-        "between",
-    ))
 }
 
 /// What of layer `index` does not grow on a model.
@@ -61,7 +52,7 @@ fn refused(layer: &Layer, index: usize) -> Option<Problem> {
             given.areas().is_some()
                 || given.kind() == Some(Family::Points)
                 || given.system().is_some_and(grows)
-                || is_thread(given)
+                || is_pair_stripes(given)
         }
     };
     if !is_known {
@@ -92,9 +83,7 @@ fn refused(layer: &Layer, index: usize) -> Option<Problem> {
         ("tone", layer.tone.is_some()),
         ("points", layer.points.is_some() && layer.point_field().is_none()),
     ];
-    let of_points = layer.point_field().and_then(|points| points_refused(&points, layer));
-    let of_threads = threads_refused(layer).filter(|_| is_thread(layer.system));
-    if let Some((key, found, allowed)) = of_points.or(of_threads) {
+    if let Some((key, found, allowed)) = refused_of_kind(layer) {
         return at(key, found, allowed);
     }
     for (key, _) in layer.maps.iter() {
@@ -113,12 +102,21 @@ fn refused(layer: &Layer, index: usize) -> Option<Problem> {
     at(key, &format!("\"{name}\" on a model"), NEW)
 }
 
-/// What of a field of points does not grow on a model: the key, the value, what is allowed.
-fn points_refused(points: &Points, layer: &Layer) -> Option<(&'static str, &'static str, &'static str)> {
-    const PLACE: &str = "across or down: a model has no middle, and a picture of the canvas no place on it";
-    if layer.after != After::Between {
-        return Some(("after", "a field of points round or inside marks on a model", "between"));
+/// A key of a layer, the value that does not grow on a model, and what is allowed.
+type Refused = (&'static str, &'static str, &'static str);
+
+/// What of stripes with tips or of a field of points does not grow on a model.
+fn refused_of_kind(layer: &Layer) -> Option<Refused> {
+    let points = layer.point_field();
+    if layer.after != After::Between && (points.is_some() || is_pair_stripes(layer.system)) {
+        return Some(("after", "stripes with tips or points round or inside marks on a model", "between"));
     }
+    points_refused(&points?, layer)
+}
+
+/// What of a field of points does not grow on a model.
+fn points_refused(points: &Points, layer: &Layer) -> Option<Refused> {
+    const PLACE: &str = "across or down: a model has no middle, and a picture of the canvas no place on it";
     if matches!(points.labels, Labels::Image { .. }) {
         let allowed = "other labels: a picture of the canvas has no place on a model";
         return Some(("points.labels.kind", "\"image\" on a model", allowed));

@@ -14,7 +14,7 @@ use crate::synth::body::layer::BodyLayer;
 use crate::synth::body::placed::Scale;
 use crate::synth::body::refusals;
 use crate::synth::points::report::other_share;
-use crate::synth::report::{PointsReport, ThreadReport};
+use crate::synth::report::PointsReport;
 
 /// The report of a growth on a model. Serialised, it is the JSON of `grow --report`.
 #[derive(Clone, Debug, Serialize)]
@@ -68,10 +68,7 @@ pub struct BodyLayerReport {
     /// A field of points; none of marks.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub points: Option<PointsReport>,
-    /// The threads of each direction of a weave; none of other marks.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub threads: Vec<ThreadReport>,
-    /// One a pin or a mark on the model; one of the whole sketch where there are neither; none of a field of points and of a weave.
+    /// One a pin or a mark on the model; one of the whole sketch where there are neither; none of a field of points.
     pub regions: Vec<AnchorReport>,
     /// Places, in the coordinates of the file, around which directions turn by half a turn or more: spots are round there.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -149,8 +146,7 @@ impl BodyLayer {
             .flat_map(|field| &field.singularities)
             .map(|one| scale.to_file(surface.position(one.place)))
             .collect();
-        let is_weave = self.threads.len() > 1;
-        let of_marks = if self.points.is_some() || is_weave { Vec::new() } else { of_anchors(self) };
+        let of_marks = if self.points.is_some() { Vec::new() } else { of_anchors(self) };
         let regions = of_marks.into_iter().enumerate();
         BodyLayerReport {
             name: document.layers[self.plan.layer].name.clone(),
@@ -162,7 +158,6 @@ impl BodyLayer {
             laid: counts.then_some(self.laid),
             spots: counts.then(|| self.spots()),
             points: self.points.clone(),
-            threads: if is_weave { self.threads.clone() } else { Vec::new() },
             regions: regions.map(|(index, got)| self.anchor_report(index, got)).collect(),
             notes: self.notes(singularities.len()),
             singularities,
@@ -201,7 +196,9 @@ impl BodyLayer {
             notes.push(format!("no {what} grew here: nothing was measured"));
         }
         let before = &self.levelled.before[index];
-        let named = answer.parameters.named().into_iter().chain([("cell", self.plan.surface().unit())]);
+        // Those of a pair vary from vertex to vertex, and are not looked up.
+        let looked_up = self.plan.choice.pair.is_none().then(|| answer.parameters.named());
+        let named = looked_up.into_iter().flatten().chain([("cell", self.plan.surface().unit())]);
         AnchorReport {
             region,
             pin,

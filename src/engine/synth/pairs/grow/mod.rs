@@ -17,7 +17,6 @@ use crate::synth::profile::{Section, during};
 pub use growing::PairsGrowth;
 pub(in crate::synth::pairs) use growing::seen;
 pub(in crate::synth) use noise::BESIDE;
-pub(in crate::synth) use seed_lines::seed_line;
 
 /// Time from the start, and after a correction, in 1/b. After 8 and 6, the errors of the widths of 40 random weaves did not change;
 /// after 20 and 10 the widths of five differed by less than a hundredth.

@@ -43,8 +43,10 @@ impl SeedLines {
     pub(super) fn add(&mut self, plan: &PairPlan, direction: usize, from_middle: &[f32]) {
         let threads = &plan.threads[direction];
         let line = |(cell, from_middle): (usize, &f32)| {
-            let width = threads.at(plan.grid.center_px(cell)).width;
-            seed_line(width, f64::from(*from_middle), plan.px_a_cell())
+            let (width, from_middle) = (threads.at(plan.grid.center_px(cell)).width, f64::from(*from_middle));
+            let covered = ((0.5 * width - from_middle) / plan.px_a_cell() + 0.5).clamp(0.0, 1.0);
+            let away = ((from_middle / width - FREE[0]) / (FREE[1] - FREE[0])).clamp(0.0, 1.0);
+            [covered as f32, (RAISED * away * away * (3.0 - 2.0 * away)) as f32]
         };
         let own: Vec<[f32; 2]> = from_middle.par_iter().enumerate().map(line).collect();
         let is_maze = plan.kind() == PairKind::Maze;
@@ -66,15 +68,6 @@ impl SeedLines {
             *value *= f32::from(u8::from(!taken));
         }
     }
-}
-
-/// The reaction, 0..1, and the increase of the threshold, K₀, so far from the middle of a line of this width; cells have a side of `cell`.
-/// All lengths are px.
-#[must_use]
-pub fn seed_line(width: f64, from_middle: f64, cell: f64) -> [f32; 2] {
-    let covered = ((0.5 * width - from_middle) / cell + 0.5).clamp(0.0, 1.0);
-    let away = ((from_middle / width - FREE[0]) / (FREE[1] - FREE[0])).clamp(0.0, 1.0);
-    [covered as f32, (RAISED * away * away * (3.0 - 2.0 * away)) as f32]
 }
 
 /// The distance of each cell from the middle of a line of these threads, px; `None` if they follow no phase, so that stripes have

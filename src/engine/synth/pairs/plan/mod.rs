@@ -80,43 +80,6 @@ pub enum PairForm {
     Stucco(StuccoForm),
 }
 
-impl PairForm {
-    /// The size s that the law gives to the pair of each of these threads, in their unit of length; for threads of a weave with `factors`
-    /// times the wanted width, for pair stripes with `factors` times the wanted period.
-    #[must_use]
-    pub fn sizes(&self, all: &[Threads], factors: &[f64]) -> Vec<f64> {
-        let size = |(pair, threads): (usize, &Threads)| match self {
-            Self::Weave(weave) => weave.size(all, pair, factors[pair]),
-            Self::Maze(_) => maze::size(threads),
-            Self::Stripes => stripes::size(threads, factors[pair]),
-            Self::Stucco(_) => stucco::size(threads),
-        };
-        all.iter().enumerate().map(size).collect()
-    }
-
-    /// The form of the blurs of one of so many `pairs`, whose largest size is `largest`; `of_all` is the largest size of all pairs.
-    #[must_use]
-    pub fn blurs(&self, pairs: usize, largest: f64, of_all: f64) -> Blurs {
-        match self {
-            Self::Weave(_) => Blurs::Along(WeaveForm::elongation(largest, of_all)),
-            Self::Maze(_) => Blurs::Along(maze::elongation(pairs)),
-            Self::Stripes => Blurs::Along(stripes::elongation()),
-            Self::Stucco(_) => Blurs::Round,
-        }
-    }
-
-    /// The reaction, for pairs whose smallest size is `least` cells.
-    #[must_use]
-    pub fn model(&self, least: f32) -> PairModel {
-        match self {
-            Self::Weave(weave) => weave.model(least),
-            Self::Maze(_) => maze::model(),
-            Self::Stripes => stripes::model(least),
-            Self::Stucco(stucco) => stucco.model(least),
-        }
-    }
-}
-
 impl PairPlan {
     /// Reads layer `index` of a document named `source`, on a canvas of `size` px. `rows` hold the errors of the laws of its
     /// system.
@@ -373,7 +336,13 @@ impl PairPlan {
     /// The size s that the law gives to the pair of each of these threads, px, see [`Self::maps`].
     #[must_use]
     pub fn by_law(&self, all: &[Threads], factors: &[f64]) -> Vec<f64> {
-        self.form.sizes(all, factors)
+        let size = |(pair, threads): (usize, &Threads)| match &self.form {
+            PairForm::Weave(weave) => weave.size(all, pair, factors[pair]),
+            PairForm::Maze(_) => maze::size(threads),
+            PairForm::Stripes => stripes::size(threads, factors[pair]),
+            PairForm::Stucco(_) => stucco::size(threads),
+        };
+        all.iter().enumerate().map(size).collect()
     }
 
     /// The size s of each pair in the middle of the canvas, px.
@@ -390,7 +359,7 @@ impl PairPlan {
         let sizes = self.sizes(factors);
         let of_all = sizes.iter().map(|sizes| range(sizes)[1]).fold(0.0, f64::max);
         let pairs = self.threads.iter().zip(&sizes).map(|(threads, sizes)| PairField {
-            blurs: self.form.blurs(self.threads.len(), range(sizes)[1], of_all),
+            blurs: self.blurs(range(sizes)[1], of_all),
             ..self.field(threads, sizes)
         });
         PairParameterField {
@@ -398,6 +367,16 @@ impl PairPlan {
             pairs: pairs.collect(),
             obstacles: self.obstacles.clone(),
             raised: self.raised.clone(),
+        }
+    }
+
+    /// The form of the blurs of a pair whose largest size is `largest`; `of_all` is the largest size of all pairs.
+    fn blurs(&self, largest: f64, of_all: f64) -> Blurs {
+        match self.form {
+            PairForm::Weave(_) => Blurs::Along(WeaveForm::elongation(largest, of_all)),
+            PairForm::Maze(_) => Blurs::Along(maze::elongation(self.threads.len())),
+            PairForm::Stripes => Blurs::Along(stripes::elongation()),
+            PairForm::Stucco(_) => Blurs::Round,
         }
     }
 
@@ -409,7 +388,7 @@ impl PairPlan {
         let of_all = ranges.iter().map(|range| range[1]).fold(0.0, f64::max);
         let of_pair = |range: &[f64; 2]| Sizes {
             range: range.map(|size| size / self.px_a_cell()),
-            blurs: self.form.blurs(self.threads.len(), range[1], of_all),
+            blurs: self.blurs(range[1], of_all),
         };
         let pairs: Vec<Sizes> = ranges.iter().map(of_pair).collect();
         updates(self.grid.cells() as f64, &pairs, f64::from(RATIO), time, above)
@@ -442,7 +421,12 @@ impl PairPlan {
     /// The reaction, for pairs of these `maps`.
     #[must_use]
     pub fn model(&self, maps: &PairParameterField) -> PairModel {
-        self.form.model(maps.least_size())
+        match &self.form {
+            PairForm::Weave(weave) => weave.model(maps),
+            PairForm::Maze(_) => maze::model(),
+            PairForm::Stripes => stripes::model(maps.least_size()),
+            PairForm::Stucco(stucco) => stucco.model(maps),
+        }
     }
 }
 

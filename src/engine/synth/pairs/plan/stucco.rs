@@ -4,7 +4,7 @@ use super::base_model;
 use super::cut::{Sorted, cut};
 use crate::grid::Field;
 use crate::marks::{Mark, Path};
-use crate::rd::pairs::{PairModel, Stucco, Threads};
+use crate::rd::pairs::{PairModel, PairParameterField, Stucco, Threads};
 
 /// Share of the canvas that blotches from noise cover at decay 0.
 const COVERED: f64 = 0.46;
@@ -32,9 +32,9 @@ impl StuccoForm {
         cut(difference, &Sorted::new(difference), |_| level)
     }
 
-    /// The reaction, for a pair whose smallest size is `least` cells.
-    pub(super) fn model(self, least: f32) -> PairModel {
-        let softness = 1.0 / (3.0 * least);
+    /// The reaction, for a pair of these `maps`.
+    pub(super) fn model(self, maps: &PairParameterField) -> PairModel {
+        let softness = 1.0 / (3.0 * maps.least_size());
         PairModel { threshold: Stucco::threshold(self.decay), softness, ..base_model() }
     }
 }

@@ -6,7 +6,7 @@ use super::learnt::{angles_at, weave_answer};
 use super::{base_model, threads_at};
 use crate::attributes::regions::RegionGrid;
 use crate::learn::PairSet;
-use crate::rd::pairs::{Course, MOST_PAIRS, PairModel, Threads};
+use crate::rd::pairs::{Course, MOST_PAIRS, PairModel, PairParameterField, Threads};
 use crate::synth::pairs::plan::thread_map::ThreadMap;
 
 /// e of the pair of a weave with the largest size: with 2, three directions merged to pebbles (`facts.md` H). The blurs of the
@@ -75,13 +75,13 @@ impl WeaveForm {
     }
 
     /// The threshold of the difference of each pair at the edges of its threads.
-    #[must_use]
-    pub fn levels(&self) -> Vec<f32> {
+    pub(super) fn levels(&self) -> Vec<f32> {
         self.thresholds.iter().map(|threshold| *threshold as f32 * base_model().peak_gain()).collect()
     }
 
-    /// The reaction, for pairs whose smallest size is `least` cells.
-    pub(super) fn model(&self, least: f32) -> PairModel {
+    /// The reaction, for pairs of these `maps`.
+    pub(super) fn model(&self, maps: &PairParameterField) -> PairModel {
+        let least = maps.least_size();
         let highest = self.thresholds.iter().copied().fold(LOWEST, f64::max);
         let threshold = highest as f32;
         let mut weights = [1.0; MOST_PAIRS];
