@@ -286,7 +286,7 @@ pub(super) static FIELD: Object = Object {
             "distance",
             Shape::AnyOf(&[DISTANCE, Shape::Numbers(&[limits::POINT_DISTANCE; 2])]),
             Key::NONE,
-            "the least distance of two points (the radius of Poisson discs); a larger canvas holds more of them. On `wrap` at most half the diagonal of the canvas, or one point would be all. In a progression each step is the same factor. Without it: the spacing of the drawn ellipses, and with none 1/16 of the longer side",
+            "the least distance of two points (the radius of Poisson discs); a larger canvas holds more of them. On `wrap` at most half the diagonal of the canvas, or one point would be all. In a progression each step is the same factor. Without it: the spacing of the drawn ellipses, and with none 1/16 of the longer side of the canvas or of the model",
         ),
         Key::new(
             "progression",
