@@ -235,7 +235,7 @@ fn grow_one(
     let size = extent.size.unwrap_or(document.size).map(|side| side as usize * extent.scale as usize);
     pictures::check(args, size)?;
     finish::check(args, &document, size)?;
-    args.material.check_memory(size[0], document.layers.len(), extent)?;
+    args.material.check_memory(&document, size[0], extent)?;
     args.threads.into_iter().for_each(threads::set_shared);
     let cancelled = super::install();
     let cancelled = || cancelled.load(Ordering::Relaxed);

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
-use crate::document::{Document, FinishKind};
+use crate::document::Document;
 use crate::editor::units::Units;
 use crate::export::Format;
 use crate::export::maps::Surface;
@@ -13,6 +13,7 @@ use crate::export::outline::svg::Unit;
 use crate::export::outline::{Ends, Hatch, Smallest, Style};
 use crate::export::picture::QUALITY;
 use crate::synth::render::clip::{Clip, FASTEST_GIF, RATES};
+use crate::synth::render::painting::usual_relief;
 
 /// The kind of an export.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -260,19 +261,10 @@ impl Choices {
 }
 
 impl Material {
-    /// The relief of `document`: the chosen one, unless it was chosen for another finish. Then it follows the finish: marks are the
-    /// colour of hairs, scales, threads or ink and no higher than these; in skin they rise a little, and those of leather are
-    /// embossed like marks without a finish.
+    /// The relief of `document`: the chosen one, unless it was chosen for another finish. Then it is the usual one of its finish.
     #[must_use]
     pub fn relief_of(&self, document: &Document) -> Vec<f64> {
-        if self.finish == finish_name(document) {
-            return self.relief.clone();
-        }
-        match document.finish.as_ref().map(|finish| finish.finish.kind) {
-            None | Some(FinishKind::Leather) => Surface::default().relief,
-            Some(FinishKind::Skin) => vec![1.0],
-            Some(_) => vec![0.0],
-        }
+        if self.finish == finish_name(document) { self.relief.clone() } else { usual_relief(document) }
     }
 
     /// Sets the relief of the layer `index` of `document`.
@@ -358,7 +350,7 @@ impl Outlines {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::{Finish, Finishing, FlowChoice};
+    use crate::document::{Finish, FinishKind, Finishing, FlowChoice};
 
     fn of(kind: FinishKind) -> Document {
         let finish = Finish { kind, size: 10.0 };

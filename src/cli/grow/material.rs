@@ -7,7 +7,7 @@ use crate::export::{ExportError, Format, maps::Surface};
 use crate::files::{self, Prepared, SavePicture};
 use crate::grid::Edges;
 use crate::machine::free_memory;
-use crate::synth::render::painting::{Making, Painting, Style};
+use crate::synth::render::painting::{Making, Painting, Style, usual_relief};
 use crate::synth::{Watch, memory};
 use std::path::{Path, PathBuf};
 
@@ -18,12 +18,12 @@ pub struct Material {
     #[arg(long, value_name = "DIR")]
     pub material: Option<PathBuf>,
     /// Height of the marks above the ground, px; negative for hollows. One number for each layer; the last one is for
-    /// all further layers
+    /// all further layers. Without it 6, with a finish that of the finish: 6 of leather, 1 of skin, else 0
     #[arg(
-        long, value_name = "PX,…", requires = "material", value_delimiter = ',', default_value = "6",
+        long, value_name = "PX,…", requires = "material", value_delimiter = ',',
         value_parser = values::relief
     )]
-    pub relief: Vec<f64>,
+    pub relief: Option<Vec<f64>>,
     /// Roughness of the ground and of the marks, 0 to 1. One number for each layer; the last one is for all further
     /// layers
     #[arg(
@@ -60,21 +60,28 @@ impl Material {
         Ok(())
     }
 
-    /// Checks whether the data of `layers` layers fits into memory while the maps are written.
-    pub fn check_memory(&self, width: usize, layers: usize, extent: Extent) -> Result<(), Error> {
+    /// Checks whether the data of all layers of `document` fits into memory while the maps are written.
+    pub fn check_memory(&self, document: &Document, width: usize, extent: Extent) -> Result<(), Error> {
         if self.material.is_none() {
             return Ok(());
         }
-        let held = self.making(Edges::Wrap, extent, false).held(width, layers);
+        let wrapped = Making { edges: Edges::Wrap, ..self.making(document, extent, false) };
+        let held = wrapped.held(width, document.layers.len());
         memory::check_export("--material", held, "write a smaller one", Some(free_memory()))
             .map_err(Error::step)
     }
 
-    fn making(&self, edges: Edges, extent: Extent, transparent_ground: bool) -> Making {
+    /// Heights and roughness of the marks of `document`.
+    pub fn surface(&self, document: &Document) -> Surface {
+        let relief = self.relief.clone().unwrap_or_else(|| usual_relief(document));
+        Surface { relief, roughness: self.roughness.clone() }
+    }
+
+    fn making(&self, document: &Document, extent: Extent, transparent_ground: bool) -> Making {
         Making {
-            surface: Surface { relief: self.relief.clone(), roughness: self.roughness.clone() },
+            surface: self.surface(document),
             scale: extent.scale as usize,
-            edges,
+            edges: document.edges,
             transparent_ground,
         }
     }
@@ -110,7 +117,7 @@ impl Material {
             transparent: style.transparent || !painting.is_opaque(),
             dpi: Some(style.dpi),
         };
-        let making = self.making(document.edges, extent, style.transparent);
+        let making = self.making(document, extent, style.transparent);
         painting.prepare_material(folder, &set, &making, watch).map_err(Error::exported)
     }
 }

@@ -133,8 +133,7 @@ impl<'a> Textured<'a> {
         } else {
             None
         };
-        let surface =
-            Surface { relief: args.material.relief.clone(), roughness: args.material.roughness.clone() };
+        let surface = args.material.surface(&grown.document);
         let (size, deep) = (size(args).map(|side| side as usize), args.look.depth == 16);
         Ok(atlas.map(|atlas| Self { grown, atlas, surface, size, deep }))
     }

@@ -69,6 +69,18 @@ impl Kind {
         }
     }
 
+    /// The usual height of the marks above the ground, px of the document: marks are the colour of hairs, scales, threads or ink and
+    /// no higher than these; in skin they rise a little, and those of leather are embossed.
+    #[must_use]
+    pub fn relief(self) -> f64 {
+        match self {
+            Self::Leather => 6.0,
+            Self::Skin => 1.0,
+            Self::Fur | Self::FishScales | Self::ReptileScales => 0.0,
+            Self::Cloth | Self::Twill | Self::Ink | Self::Print => 0.0,
+        }
+    }
+
     /// Whether the flow of a document changes it.
     #[must_use]
     pub fn has_flow(self) -> bool {

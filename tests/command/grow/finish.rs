@@ -122,6 +122,19 @@ fn a_material_has_the_height_and_the_roughness_of_the_finish() {
 }
 
 #[test]
+fn without_a_relief_marks_are_as_high_as_the_finish_wants() {
+    for (kind, relief) in [("reptile-scales", 0), ("skin", 1), ("leather", 6)] {
+        let folder = Folder::with(&with_finish(tile(), kind));
+        folder.grow("--material usual");
+        folder.grow(&format!("--material same --relief {relief}"));
+        folder.grow("--material other --relief 3");
+        let [usual, same, other] =
+            ["usual", "same", "other"].map(|set| folder.bytes(&format!("{set}/a_Height.png")));
+        assert!(usual == same && usual != other, "{kind}");
+    }
+}
+
+#[test]
 fn what_a_finish_cannot_do_is_refused_or_said() {
     let folder = Folder::with(&with_finish(tile(), "fur"));
     folder.refuses("grow a.dapple -o a.png --transparent", 2, &["--transparent", "finish fur"]);

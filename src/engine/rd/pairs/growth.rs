@@ -75,6 +75,19 @@ impl PairGrowth {
         }
     }
 
+    /// Takes one super step in which the reaction is held at the shares of the cells above the threshold, so that edges leave the
+    /// borders of cells. Only steps of this kind can follow. Pairs on grids of their own take a usual step: their reaction is a
+    /// mean over cells in any case. `None` if `raised` is for another number of cells.
+    pub fn advance_by_shares(&mut self, model: &PairModel, raised: &[f32]) -> Option<()> {
+        match &mut self.grids {
+            Grids::Shared(grid) => grid.advance_by_shares(model, raised),
+            Grids::Own(grids) => {
+                grids.advance(1);
+                Some(())
+            }
+        }
+    }
+
     /// Cells along x and y of the finest grid.
     #[must_use]
     pub fn grid(&self) -> [usize; 2] {

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::{Combination, PairModel};
 use crate::rd::chemicals::{Chemicals, reacting};
 use crate::rd::kinetics::{Kinetics, Spreading};
-use crate::rd::plane::Plane;
+use crate::rd::plane::{Plane, RowLayout};
 use crate::rd::sparse::{SparseChemicals, reacting_by_rows};
 use crate::rd::vector::Number;
 
@@ -84,15 +84,52 @@ fn combined<V: Number>(combination: Combination, largest: V, least: V) -> V {
 pub(super) fn reaction(model: &PairModel, differences: &[Vec<f32>], raised: &[f32], time: f64) -> Vec<f32> {
     let PairReaction { threshold, half_width, gain, .. } = PairReaction::<2>::new(*model).at(time);
     let at = |cell: usize| {
-        let weighted = |pair: usize| model.weights[pair] * differences[pair][cell];
-        let others = (1..differences.len()).map(weighted);
-        let [largest, least] = others.fold([weighted(0); 2], |[largest, least], difference| {
-            [largest.larger(difference), least.smaller(difference)]
-        });
-        let x = combined(model.combination, largest, least) - raised.get(cell).copied().unwrap_or(0.0);
+        let x = combination_at(model, differences, cell) - increase(raised, cell);
         gain * x.soft_step(threshold, half_width)
     };
     (0..differences[0].len()).into_par_iter().with_min_len(CELLS_A_THREAD).map(at).collect()
+}
+
+/// R at each cell at `time`, like [`reaction`]; but where X changes within a cell by more than the softness, R is the share of the
+/// cell in which X is above the threshold. X is taken as linear there: it changes by |∂X/∂x| + |∂X/∂y| over a cell, by central
+/// differences. So an edge has a place between the cells, where a step would put it on the border of one.
+pub(super) fn reaction_by_shares(
+    model: &PairModel,
+    differences: &[Vec<f32>],
+    raised: &[f32],
+    time: f64,
+    layout: &RowLayout,
+) -> Vec<f32> {
+    let PairReaction { threshold, half_width, gain, .. } = PairReaction::<2>::new(*model).at(time);
+    let cells = 0..differences[0].len();
+    let x = |cell: usize| combination_at(model, differences, cell);
+    let x: Vec<f32> = cells.clone().into_par_iter().with_min_len(CELLS_A_THREAD).map(x).collect();
+    let at = |cell: usize| {
+        let [column, row] = [cell % layout.nx, cell / layout.nx].map(|k| k as isize);
+        let value = |column: isize, row: isize| {
+            x[layout.row(row) * layout.nx + layout.edges.index(column, layout.nx)]
+        };
+        let change = 0.5 * (value(column + 1, row) - value(column - 1, row)).absolute()
+            + 0.5 * (value(column, row + 1) - value(column, row - 1)).absolute();
+        let above = x[cell] - increase(raised, cell);
+        gain * above.soft_step(threshold, half_width.larger(0.5 * change))
+    };
+    cells.into_par_iter().with_min_len(CELLS_A_THREAD).map(at).collect()
+}
+
+/// X at a cell.
+fn combination_at(model: &PairModel, differences: &[Vec<f32>], cell: usize) -> f32 {
+    let weighted = |pair: usize| model.weights[pair] * differences[pair][cell];
+    let others = (1..differences.len()).map(weighted);
+    let [largest, least] = others.fold([weighted(0); 2], |[largest, least], difference| {
+        [largest.larger(difference), least.smaller(difference)]
+    });
+    combined(model.combination, largest, least)
+}
+
+/// Increase of the threshold at a cell.
+fn increase(raised: &[f32], cell: usize) -> f32 {
+    raised.get(cell).copied().unwrap_or(0.0)
 }
 
 /// Fewest cells that a thread is given.

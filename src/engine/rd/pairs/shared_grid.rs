@@ -1,6 +1,6 @@
 //! Pairs on one grid: explicit steps by the kernels of all systems, or by the plain solver. They react at each stage of a step.
 
-use super::kinetics::{held_pairs, reacting_pairs};
+use super::kinetics::{held_pairs, reacting_pairs, reaction_by_shares};
 use super::start::{HELD, PairStart, noise};
 use super::{PairField, PairModel, PairParameterField};
 use crate::grid::{Domain, Field};
@@ -74,6 +74,23 @@ impl SharedGrid {
     /// solver is tested and measured against it.
     pub fn advance_plain(&mut self, steps: u64) {
         self.stepper.advance_plain(steps);
+    }
+
+    /// Takes one super step in which the reaction is held at the shares of the cells above the threshold; `None` if `raised` or the
+    /// model is for another number of cells or pairs. No other step can follow but one of these.
+    pub fn advance_by_shares(&mut self, model: &PairModel, raised: &[f32]) -> Option<()> {
+        let layout = self.stepper.problem.grid;
+        let unit = model.peak_gain() * model.gain.at(0.0);
+        let raised: Vec<f32> = raised.iter().map(|raised| unit * raised).collect();
+        let differences: Vec<Vec<f32>> = self.differences().into_iter().map(|field| field.values).collect();
+        let time = self.steps() as f64 * self.time_a_step();
+        let reaction = reaction_by_shares(model, &differences, &raised, time, &layout);
+        let planes = self.stepper.chemicals.planes();
+        let pairs = planes[..planes.len() / 2 * 2].iter().cloned();
+        let planes = pairs.chain([Plane::from_cells(layout, &reaction)?]).collect();
+        self.stepper.chemicals = held_pairs(planes)?;
+        self.stepper.advance(self.stepper.problem.stages as u64);
+        Some(())
     }
 
     /// Cells along x and y.

@@ -9,7 +9,7 @@ mod material;
 mod relief;
 
 pub use concentrations::concentrations;
-pub use material::{Making, plane};
+pub use material::{Making, plane, usual_relief};
 
 use std::io::{Seek, Write};
 use std::ops::Range;

@@ -11,7 +11,7 @@ use crate::points::discs::Laying;
 use crate::points::extent::Extent;
 use crate::points::patches::Wanted;
 use crate::rd::pairs::HELD;
-use crate::rd::pairs::polygons::{BLURS, TIME, distance, model, size, widest_gap};
+use crate::rd::pairs::polygons::{BLURS, SMOOTHING, TIME, distance, model, size, widest_gap};
 use crate::rd::pairs::work::{Sizes, updates};
 
 /// Cells of the grid per size of the pair: with fewer than 1.5, edges stick to the grid (`facts.md` T).
@@ -142,7 +142,7 @@ impl PolygonForm {
         let range = [f64::min as fn(f64, f64) -> f64, f64::max]
             .map(|pick| sizes.iter().copied().reduce(pick).unwrap_or(CELLS));
         let pair = Sizes { range, blurs: BLURS };
-        updates(plan.grid.cells() as f64, &[pair], f64::from(model().ratio), HELD + TIME, true)
+        updates(plan.grid.cells() as f64, &[pair], f64::from(model().ratio), HELD + TIME + SMOOTHING, true)
     }
 
     /// Cell of the grid that such cells need, px.

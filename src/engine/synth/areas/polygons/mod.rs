@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use crate::grid::{Domain, Field};
 use crate::measure::{SpotErrors, stripes};
-use crate::rd::pairs::polygons::{BLURS, TIME, model};
+use crate::rd::pairs::polygons::{BLURS, SMOOTHING, TIME, model};
 use crate::rd::pairs::{PairField, PairGrowth, PairParameterField, PairStart};
 use crate::synth::areas::grown::GrownAreas;
 use crate::synth::areas::measured::{EDGE, measured};
@@ -55,7 +55,11 @@ pub struct PolygonGrowth {
     owned: Vec<u32>,
     /// By place, the depth inside a drawn mark and the index of this mark.
     depths: Vec<(f32, u32)>,
+    /// Increase of the threshold by cell of the grid; empty = none.
+    raised: Vec<f32>,
     growth: PairGrowth,
+    /// The step from which on edges are smoothed.
+    smooth: u64,
     /// The step at which the growth ends.
     last: u64,
     /// The thresholds of the edges, by region.
@@ -100,7 +104,7 @@ impl PolygonGrowth {
         let growth = during(Section::Coefficients, || PairGrowth::new(&maps, &model(), &start));
         let growth = growth.expect("maps of one grid");
         let levels = vec![level_of_straight_lines(); plan.map.layout().len()];
-        let last = growth.steps_in(TIME);
+        let [smooth, last] = [TIME, TIME + SMOOTHING].map(|time| growth.steps_in(time));
         let grown = None;
         Ok(Self {
             setting,
@@ -108,7 +112,9 @@ impl PolygonGrowth {
             form,
             owned: owned.owners,
             depths,
+            raised: maps.raised,
             growth,
+            smooth,
             last,
             levels,
             grown,
@@ -122,11 +128,15 @@ impl PolygonGrowth {
     /// Nothing grew.
     pub fn advance(&mut self, budget: u64) -> Result<Advanced, LayerError> {
         let cells = self.plan.grid.cells();
-        let left = self.last.saturating_sub(self.growth.steps());
-        if left > 0 {
-            let before = self.growth.steps();
-            let steps = (budget / cells as u64).clamp(1, left);
-            during(Section::Steps, || self.growth.advance(steps));
+        let before = self.growth.steps();
+        if before < self.last {
+            if before < self.smooth {
+                let steps = (budget / cells as u64).clamp(1, self.smooth - before);
+                during(Section::Steps, || self.growth.advance(steps));
+            } else {
+                let taken = during(Section::Steps, || self.growth.advance_by_shares(&model(), &self.raised));
+                taken.expect("maps of one grid");
+            }
             return Ok(Advanced::seen((self.growth.steps() - before) * cells as u64));
         }
         match self.grown.take() {
@@ -163,7 +173,7 @@ impl PolygonGrowth {
     #[must_use]
     pub fn progress(&self) -> (Stage, f64) {
         match &self.grown {
-            None => (Stage::Grow, self.growth.steps() as f64 / self.last as f64),
+            None => (Stage::Grow, (self.growth.steps() as f64 / self.last as f64).min(1.0)),
             Some((_, _, round)) => (Stage::Refine, *round as f64 / ROUNDS as f64),
         }
     }

@@ -3,6 +3,7 @@
 use std::io::Write;
 use std::ops::Range;
 
+use crate::document::Document;
 use crate::export::Stopped;
 use crate::export::gltf::Plane;
 use crate::export::maps::{Green, Surface, encoded, share_of};
@@ -16,6 +17,15 @@ use crate::synth::watch::{Stage, Watch};
 
 /// px of a band: few compared to the picture, enough for all threads.
 const BAND_PX: usize = 1 << 20;
+
+/// The usual relief of a document, px: that of its finish.
+#[must_use]
+pub fn usual_relief(document: &Document) -> Vec<f64> {
+    document
+        .finish
+        .as_ref()
+        .map_or(Surface::default().relief, |finishing| vec![finishing.finish.kind.relief()])
+}
 
 /// Settings of a material.
 #[derive(Clone, Debug, PartialEq)]
