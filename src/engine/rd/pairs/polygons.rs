@@ -64,7 +64,7 @@ const SOFTNESS: f32 = 0.07;
 pub const TIME: f64 = 10.0;
 /// Time after it, in 1/b, in which the reaction is the share of each cell of the grid above the threshold. Before, edges keep to the
 /// borders of these cells, and those that are nearly along x or y have steps.
-pub const SMOOTHING: f64 = 2.0;
+pub const SMOOTHING: f64 = 1.0;
 /// The coefficients of the law of gaps, see the top.
 const GAP: [f64; 2] = [3.8, 11.8];
 /// The coefficients of the law of areas, see the top.
