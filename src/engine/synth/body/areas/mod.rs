@@ -36,22 +36,23 @@ pub fn grown(
     laid: impl FnOnce() -> Vec<SurfacePoint>,
 ) -> Result<GrownAreas, LayerError> {
     let seed = document.layer_seed(plan.layer);
-    if let AreaForm::Points(form) = form {
-        let points = document.layers[plan.layer].point_field().unwrap_or_default();
-        let body = document.model.as_ref().ok_or(LayerError::NoRoom)?;
-        let points::GrownPoints { values, report } = points::grown(plan, form, &points, body, seed)?;
-        return Ok(GrownAreas { marks: values, laid: 0, points: Some(report) });
-    }
-    let centers = laid();
-    if centers.is_empty() {
-        return Err(LayerError::NoRoom);
-    }
-    let marks = match form {
-        AreaForm::Patches(form) => patches::grown(plan, form, &centers, seed),
-        AreaForm::Cells(gap) => cells::grown(plan, *gap, &centers),
-        AreaForm::Points(_) => Vec::new(),
+    let around = |grow: &dyn Fn(&[SurfacePoint]) -> Vec<f32>| {
+        let centers = laid();
+        if centers.is_empty() {
+            return Err(LayerError::NoRoom);
+        }
+        Ok(GrownAreas { marks: grow(&centers), laid: centers.len(), points: None })
     };
-    Ok(GrownAreas { marks, laid: centers.len(), points: None })
+    match form {
+        AreaForm::Patches(form) => around(&|centers| patches::grown(plan, form, centers, seed)),
+        AreaForm::Cells(gap) => around(&|centers| cells::grown(plan, *gap, centers)),
+        AreaForm::Points(form) => {
+            let points = document.layers[plan.layer].point_field().unwrap_or_default();
+            let body = document.model.as_ref().ok_or(LayerError::NoRoom)?;
+            let points::GrownPoints { values, report } = points::grown(plan, form, &points, body, seed)?;
+            Ok(GrownAreas { marks: values, laid: 0, points: Some(report) })
+        }
+    }
 }
 
 #[cfg(test)]
