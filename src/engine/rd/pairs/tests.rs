@@ -106,10 +106,10 @@ fn all_instructions_and_tilings_give_the_bits_of_the_plain_solver() {
     }
 }
 
-/// Distances, in cells, of the level ½ of a field from a straight line of this `slope`, column by column along the upper edge.
+/// Deviation of the upper edge of a line between cells, where a field falls to ½, from a straight line of this `slope`, cells.
 fn bends_of_the_upper_edge(field: &[f32], side: usize, slope: f64) -> f64 {
     let place = |x: usize| {
-        let row = (side / 4..side / 2).find(|y| field[(y + 1) * side + x] >= 0.5).expect("an edge");
+        let row = (side / 4..side / 2).find(|y| field[(y + 1) * side + x] < 0.5).expect("an edge");
         let [above, below] = [row, row + 1].map(|y| f64::from(field[y * side + x]));
         row as f64 + (0.5 - above) / (below - above) - slope * x as f64
     };
@@ -120,16 +120,16 @@ fn bends_of_the_upper_edge(field: &[f32], side: usize, slope: f64) -> f64 {
 
 #[test]
 fn edges_leave_the_borders_of_cells_when_the_reaction_is_a_share() {
-    // A band whose edges fall by one cell in eight; it is read in the middle half, since it does not close over the border.
+    // A line between two cells that falls by one cell in eight; it is read in the middle half, since it does not close over the border.
     let (side, slope) = (64, 0.125);
     let mut maps = maps(side, &[(0.0, 1.75)]);
     maps.pairs[0].blurs = polygons::BLURS;
     let model = polygons::model();
-    let band = |cell: usize| {
+    let line = |cell: usize| {
         let [x, y] = [cell % side, cell / side].map(|k| k as f64);
-        f32::from(u8::from((22.0..42.0).contains(&(y - slope * x).rem_euclid(side as f64))))
+        f32::from(u8::from(!(22.0..26.4).contains(&(y - slope * x))))
     };
-    let start = PairStart::Drawn((0..side * side).map(band).collect());
+    let start = PairStart::Drawn((0..side * side).map(line).collect());
     let mut growth = PairGrowth::new(&maps, &model, &start).expect("one pair");
     let bends = |growth: &PairGrowth| bends_of_the_upper_edge(&growth.concentrations()[0], side, slope);
     growth.advance(growth.steps_in(polygons::TIME));
