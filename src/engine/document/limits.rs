@@ -70,6 +70,16 @@ pub const RAGGED: Range = Range { low: 0.0, high: 0.5, unit: "" };
 pub const DETAIL: Range = Range { low: Patches::LEAST_DETAIL, high: Patches::MOST_DETAIL, unit: "points" };
 /// Width of the lines between cells: below 1 px they cannot be seen, and the finest grid is that fine.
 pub const GAP: Range = Range { low: 1.0, high: 1_000.0, unit: "px" };
+/// Blotches around a rosette: one is a ring with a gap, more than twelve cannot be told apart.
+pub const ROSETTE_PARTS: [u64; 2] = [1, 12];
+/// The share of patches that stay solid.
+pub const ROSETTE_SOLID: Range = Range { low: 0.0, high: 1.0, unit: "" };
+/// How deep the blotches of a rosette are.
+pub const ROSETTE_WIDTH: Range = Range { low: 2.0, high: 1_000.0, unit: "px" };
+/// Dots inside a rosette: more find no room.
+pub const ROSETTE_DOTS: [u64; 2] = [0, 6];
+/// The pattern inside a rosette: at ½ it would be a mark.
+pub const ROSETTE_TINT: Range = Range { low: 0.0, high: 0.45, unit: "" };
 /// Decrease of the gain of stucco. Above this range blotches vanish.
 pub const DECAY: Range = Range { low: 0.0, high: Stucco::MOST_DECAY, unit: "" };
 /// Most corners of an outline: with a corner every 4 px a patch may be 1,200 px wide. The test for crossings tries all pairs of

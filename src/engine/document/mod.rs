@@ -181,6 +181,7 @@ pub use tone::{Drives, Tone, ToneImage};
 use crate::attributes::system::Family;
 use crate::marks::{Mark, ellipse_of_outline};
 use crate::points::patches::Patches;
+pub use crate::points::rosettes::Rosettes;
 use crate::rd::pairs::Stucco;
 use crate::sketch::recognise;
 
@@ -404,6 +405,8 @@ pub struct LayerOptions {
     pub detail: f64,
     /// Width of the lines between its cells.
     pub gap: GapChoice,
+    /// What its patches are as rosettes; `None` = they are solid.
+    pub rosette: Option<Rosettes>,
     /// Decrease of the gain of its stucco, 0–[`limits::DECAY`]: 1 − the last ÷ the first. The larger, the fewer worms beside dots.
     pub decay: f64,
     /// Rule that tells which threads of its weave lie over the others.
@@ -427,6 +430,7 @@ impl Default for LayerOptions {
             ragged: RaggedChoice::Drawn,
             detail: Patches::DETAIL,
             gap: GapChoice::Drawn,
+            rosette: None,
             decay: Stucco::DECAY,
             over: Over::Level,
         }

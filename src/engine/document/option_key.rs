@@ -8,6 +8,7 @@ use crate::document::limits::{self, Range};
 use crate::document::node::{Node, number};
 use crate::document::shape::{Key, Object, Shape};
 use crate::document::{DrawnOr, LayerOptions, Over, Problem, Seeding, SpreadChoice};
+use crate::points::rosettes::Rosettes;
 
 /// One key of a layer's `options`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,6 +31,8 @@ pub enum OptionKey {
     Detail,
     /// Width of the lines between cells.
     Gap,
+    /// What patches are as rosettes.
+    Rosette,
     /// Decrease of the gain of stucco.
     Decay,
     /// Rule that tells which threads lie over the others.
@@ -67,7 +70,7 @@ macro_rules! entry {
 
 impl OptionKey {
     /// All keys, in the order in which they are shown, checked and written.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Spread,
         Self::Irregular,
         Self::Duty,
@@ -77,6 +80,7 @@ impl OptionKey {
         Self::Ragged,
         Self::Detail,
         Self::Gap,
+        Self::Rosette,
         Self::Decay,
         Self::Over,
     ];
@@ -101,6 +105,7 @@ impl OptionKey {
             }
             Self::Detail => entry!(detail, &["24"], |node: Read| node.number(&limits::DETAIL), number),
             Self::Gap => entry!(gap, &["\"drawn\""], |node| drawn_or(node, &limits::GAP), given_json),
+            Self::Rosette => entry!(rosette, &[], |node| rosette(node).map(Some), rosette_json),
             Self::Decay => entry!(decay, &["0.8"], |node: Read| node.number(&limits::DECAY), number),
             Self::Over => entry!(over, &["\"level\""], |node: Read| node.choice(&Over::NAMES), over_json),
         }
@@ -142,7 +147,7 @@ impl OptionKey {
     pub fn value(self, options: &LayerOptions) -> String {
         match ((self.entry().json)(options), options.spread) {
             (Value::Null, _) => "nothing".to_owned(),
-            (Value::Object(_), SpreadChoice::Given(spread)) => {
+            (Value::Object(_), SpreadChoice::Given(spread)) if self == Self::Spread => {
                 let parts = spread.named().map(|(name, value)| format!("{name} {value}"));
                 format!("a spread of {}", parts.join(", "))
             }
@@ -206,6 +211,12 @@ pub(super) static OPTIONS: Object = Object {
             "width of the lines between cells: the mean of the lines drawn beside the ellipses, else that of the gaps between drawn outlines that nearly touch (0.2 of √area of the smallest where none do); or this",
         ),
         Key::new(
+            "rosette",
+            Shape::Object(&ROSETTE),
+            Key::NONE,
+            "patches become rosettes: their rims break up into blotches, their centres are tinted. Areas, spacings and raggedness are those of the whole rosettes; `{}` has the defaults below",
+        ),
+        Key::new(
             "decay",
             Shape::Number(limits::DECAY),
             "0.8",
@@ -227,6 +238,42 @@ static SPREAD: Object = Object {
         Key::new("angle", Shape::Number(limits::SPREAD_ANGLE), "0", "root mean square deviation"),
         Key::new("aspect", Shape::Number(limits::SPREAD_ASPECT), "0", "standard deviation"),
         Key::new("spacing", Shape::Number(limits::SPREAD_SPACING), "0", "coefficient of variation"),
+    ],
+};
+
+static ROSETTE: Object = Object {
+    name: "Rosette",
+    keys: &[
+        Key::new(
+            "parts",
+            Shape::Wholes(&[limits::ROSETTE_PARTS; 2]),
+            "[3, 5]",
+            "the least and the greatest number of blotches around a rosette, 1 to 12 each",
+        ),
+        Key::new(
+            "solid",
+            Shape::Number(limits::ROSETTE_SOLID),
+            "0.25",
+            "the share of the patches that stay solid, small ones rather than large ones",
+        ),
+        Key::new(
+            "width",
+            Shape::Number(limits::ROSETTE_WIDTH),
+            Key::NONE,
+            "how deep blotches are; without it 0.22 of √area of a mean patch",
+        ),
+        Key::new(
+            "dots",
+            Shape::Whole(limits::ROSETTE_DOTS),
+            "0",
+            "the greatest number of dots inside a rosette; each has at least one, unless it is 0",
+        ),
+        Key::new(
+            "tint",
+            Shape::Number(limits::ROSETTE_TINT),
+            "0.3",
+            "the pattern inside a rosette, which the colours show: 0 is that of the ground, 0.5 that of an edge. It differs from one to the next, down to 0.45 of this",
+        ),
     ],
 };
 
@@ -299,6 +346,49 @@ fn spread_json(choice: SpreadChoice) -> Value {
     let Some(spread) = choice.given() else { return json!("drawn") };
     let named = spread.named().map(|(attribute, value)| (attribute.name().to_owned(), number(value)));
     Value::Object(Map::from_iter(named))
+}
+
+fn rosette(node: &Node) -> Result<Rosettes, Problem> {
+    node.is(&ROSETTE)?;
+    let usual = Rosettes::default();
+    let number = |key: &str, range, usual| node.get(key).map_or(Ok(usual), |node| node.number(range));
+    let [_, most] = limits::ROSETTE_PARTS;
+    let mut parts = usual.parts;
+    if let Some(node) = node.get("parts") {
+        parts = node.counts([most as u32; 2])?;
+        if parts[0] > parts[1] {
+            return Err(node.wrong("the smaller number first"));
+        }
+    }
+    let [fewest, most] = limits::ROSETTE_DOTS;
+    // The casts are exact: the numbers are small.
+    let dots = node.get("dots").map_or(Ok(u64::from(usual.dots)), |node| node.whole(fewest, most))? as u32;
+    let width = node.get("width").map(|node| node.number(&limits::ROSETTE_WIDTH)).transpose()?;
+    Ok(Rosettes {
+        parts,
+        solid: number("solid", &limits::ROSETTE_SOLID, usual.solid)?,
+        width,
+        dots,
+        tint: number("tint", &limits::ROSETTE_TINT, usual.tint)?,
+    })
+}
+
+/// What differs from the defaults.
+fn rosette_json(choice: Option<Rosettes>) -> Value {
+    let Some(of) = choice else { return Value::Null };
+    let usual = Rosettes::default();
+    let named = [("solid", of.solid, usual.solid), ("tint", of.tint, usual.tint)];
+    let mut given: Map<String, Value> = Map::new();
+    if of.parts != usual.parts {
+        given.insert("parts".to_owned(), json!(of.parts));
+    }
+    given.extend(of.width.map(|width| ("width".to_owned(), number(width))));
+    if of.dots != usual.dots {
+        given.insert("dots".to_owned(), json!(of.dots));
+    }
+    let changed = named.into_iter().filter(|(_, value, usual)| value != usual);
+    given.extend(changed.map(|(name, value, _)| (name.to_owned(), number(value))));
+    Value::Object(given)
 }
 
 #[cfg(test)]

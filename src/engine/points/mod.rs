@@ -48,6 +48,7 @@ pub mod lines;
 pub mod metric;
 pub mod noise;
 pub mod patches;
+pub mod rosettes;
 pub mod roughened;
 pub mod solid_noise;
 pub mod voronoi;

@@ -94,8 +94,15 @@ fn on_model() -> Value {
     document
 }
 
+/// The shortest document of rosettes.
+fn rosettes() -> Value {
+    let mut document = with("/layers/0/options", json!({"rosette": {}}));
+    document["layers"][0]["system"] = json!("patches");
+    document
+}
+
 /// Each object of a document: its heading, its place, and a document that holds it with only the required keys.
-fn objects() -> [(&'static str, &'static str, Value); 23] {
+fn objects() -> [(&'static str, &'static str, Value); 24] {
     let line = json!({"kind": "line", "from": [10, 10], "to": [90, 60]});
     let path = json!({"kind": "path", "points": [[10, 10], [40, 20], [80, 14]]});
     let freehand = json!({"kind": "freehand", "points": [[10, 10], [40, 12], [80, 14]]});
@@ -124,6 +131,7 @@ fn objects() -> [(&'static str, &'static str, Value); 23] {
         ("Map", "/layers/0/maps/area", varied()),
         ("Map noise", "/layers/0/maps/spacing/noise", varied()),
         ("Spread", "/layers/0/options/spread", with("/layers/0/options", json!({"spread": {}}))),
+        ("Rosette", "/layers/0/options/rosette", rosettes()),
         ("Colours", "/layers/0/colours", colours.clone()),
         ("Stop", "/layers/0/colours/stops/0", colours),
     ]

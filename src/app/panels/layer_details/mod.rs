@@ -4,6 +4,7 @@ mod fields;
 mod maps;
 mod options;
 mod points;
+mod rosette;
 pub mod small_picture;
 mod spread;
 mod tone;

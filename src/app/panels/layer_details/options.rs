@@ -2,7 +2,7 @@
 
 use egui::{ComboBox, DragValue, Label, Ui};
 
-use super::{CONTROL, share, spread};
+use super::{CONTROL, rosette, share, spread};
 use crate::app::fields::reset;
 use crate::document::{
     DutyChoice, GapChoice, Layer, LayerOptions, OptionKey, Over, RaggedChoice, Seeding, limits,
@@ -26,6 +26,9 @@ pub(super) fn option(ui: &mut Ui, session: &Session, layer: &Layer, choice: Opti
     ui.end_row();
     if choice == OptionKey::Spread {
         spread::numbers(ui, &mut options);
+    }
+    if choice == OptionKey::Rosette && enabled {
+        rosette::numbers(ui, &mut options.rosette);
     }
     (options != layer.options).then_some(Edit::LayerOptions(session.active_layer, options))
 }
@@ -75,6 +78,10 @@ fn described(choice: OptionKey) -> (&'static str, &'static str) {
             "Width of the lines between cells. As drawn: the width of the gaps between drawn outlines that \
              nearly touch",
         ),
+        OptionKey::Rosette => (
+            "Rosettes",
+            "The rims of patches break up into blotches around a tinted centre, as on leopards; dots inside, as on jaguars",
+        ),
         OptionKey::Over => (
             "Crossings",
             "Which threads lie on top where they cross. Level: none. Plain: over one, under one. Twill: over \
@@ -112,6 +119,7 @@ fn control(ui: &mut Ui, session: &Session, choice: OptionKey, options: &mut Laye
             ui.add(field).accessible_name(name)
         }
         OptionKey::Gap => gap(ui, name, &mut options.gap),
+        OptionKey::Rosette => rosette::choice(ui, &mut options.rosette),
         OptionKey::Over => over(ui, &mut options.over),
         OptionKey::Decay => share(ui, name, &mut options.decay, &limits::DECAY),
         OptionKey::Seeding => seeding(ui, &mut options.seeding),

@@ -11,11 +11,17 @@ pub static PATCHES: Description = Description {
     picture: picture!("patches"),
     kind: Family::Areas,
     free_spacing: true,
-    option_keys: &["keep", "ragged", "detail", "spread"],
-    own_keys: &[Keys {
-        keys: &["options.detail"],
-        reason: "Only patches and streaks are made from a number of points: set \"system\" to one of these",
-    }],
+    option_keys: &["keep", "ragged", "detail", "spread", "rosette"],
+    own_keys: &[
+        Keys {
+            keys: &["options.detail"],
+            reason: "Only patches and streaks are made from a number of points: set \"system\" to one of these",
+        },
+        Keys {
+            keys: &["options.rosette"],
+            reason: "Only patches become rosettes: set \"system\" to \"patches\"",
+        },
+    ],
     lookup: LookupBy::Law,
     ..Description::PLAIN
 };

@@ -19,8 +19,10 @@ pub struct OwnPolygons {
 pub struct GrownAreas {
     /// The plan from which they grew.
     pub plan: AreaPlan,
-    /// 0..1, areas above ½, on the grid.
+    /// 0..1, areas above ½, on the grid. Of rosettes it is the pattern of their outlines, which is measured.
     pub field: Field,
+    /// The pattern of rosettes, which is shown; `None` where areas are solid.
+    pub rosettes: Option<Field>,
     /// Number of areas laid on the canvas that got less than nine tenths of their area.
     pub cramped: usize,
     /// Steps taken; none for patches.
@@ -42,6 +44,12 @@ impl GrownAreas {
     /// The pattern at any size.
     #[must_use]
     pub fn pattern(&self) -> AreaPattern {
-        AreaPattern::new(&self.field)
+        AreaPattern::new(self.shown())
+    }
+
+    /// The field that is shown.
+    #[must_use]
+    pub fn shown(&self) -> &Field {
+        self.rosettes.as_ref().unwrap_or(&self.field)
     }
 }

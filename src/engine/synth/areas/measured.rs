@@ -35,7 +35,18 @@ pub(super) fn measured(plan: AreaPlan, field: Field) -> GrownAreas {
     }
     let mean = |[count, asked, found]: [f64; 3]| (count > 0.0).then(|| [asked / count, found / count]);
     let raggedness = sums.into_iter().map(mean).collect();
-    GrownAreas { plan, field, cramped: 0, steps: 0, gap: None, own_polygons: None, spots, errors, raggedness }
+    GrownAreas {
+        plan,
+        field,
+        rosettes: None,
+        cramped: 0,
+        steps: 0,
+        gap: None,
+        own_polygons: None,
+        spots,
+        errors,
+        raggedness,
+    }
 }
 
 fn area(wanted: &Attributes) -> f64 {

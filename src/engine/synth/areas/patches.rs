@@ -2,6 +2,7 @@
 
 use crate::grid::{Domain, Field};
 use crate::points::patches::{GrownPatches, Outline, PatchGrowth, Patches};
+use crate::points::rosettes::{Rosettes, rosettes};
 use crate::synth::areas::grown::GrownAreas;
 use crate::synth::areas::measured::{EDGE, measured};
 use crate::synth::areas::plan::AreaPlan;
@@ -16,6 +17,7 @@ pub struct PatchesGrowth {
     seed: u64,
     plan: AreaPlan,
     detail: f64,
+    rosette: Option<Rosettes>,
     kept: Vec<Outline>,
     /// The cells that no patch may cover; empty = none.
     blocked: Vec<bool>,
@@ -32,7 +34,8 @@ impl PatchesGrowth {
         let kept = plan.kept.iter().map(|(_, outline)| outline.clone()).collect();
         let stages = if filmed { FILM_STAGES } else { 1 };
         let growth = Some(PatchGrowth::default());
-        Self { seed, plan, detail: form.detail, kept, blocked, stages, growth, grown: None }
+        let PatchForm { detail, rosette, .. } = *form;
+        Self { seed, plan, detail, rosette, kept, blocked, stages, growth, grown: None }
     }
 
     /// Does a part of the work.
@@ -82,8 +85,10 @@ impl PatchesGrowth {
         if let Some(what) = what {
             return Err(LayerError::Blank { what, advice: LayerError::MARKS });
         }
+        let rosettes =
+            self.rosette.map(|of| during(Section::Steps, || rosettes(&grown.field, &of, self.seed)));
         let measured = during(Section::Measure, || measured(self.plan.clone(), grown.field));
-        Ok(GrownAreas { cramped: grown.cramped, ..measured })
+        Ok(GrownAreas { cramped: grown.cramped, rosettes, ..measured })
     }
 
     /// The current stage, and the finished share of it.
@@ -96,7 +101,7 @@ impl PatchesGrowth {
     #[must_use]
     pub fn now(&self) -> Option<(u64, &Field)> {
         if let Some(grown) = &self.grown {
-            return Some((self.stages as u64, &grown.field));
+            return Some((self.stages as u64, grown.shown()));
         }
         let (stage, field) = self.growth.as_ref()?.appearing()?;
         Some((stage as u64, field))

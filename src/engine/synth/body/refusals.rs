@@ -79,6 +79,7 @@ fn refused(layer: &Layer, index: usize) -> Option<Problem> {
     }
     let options = [
         ("options.irregular", irregular != 0.0 && !takes_noise),
+        ("options.rosette", layer.options.rosette.is_some()),
         ("options.broken", broken != 0.0 && layer.after != After::Around),
         ("tone", layer.tone.is_some()),
         ("points", layer.points.is_some() && layer.point_field().is_none()),

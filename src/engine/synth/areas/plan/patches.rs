@@ -7,6 +7,7 @@ use crate::document::{LayerOptions, RaggedChoice};
 use crate::grid::distance::{length, nearest};
 use crate::points::discs::{Laying, POINTS_A_SQUARE};
 use crate::points::patches::{Outline, Patches, Wanted};
+use crate::points::rosettes::Rosettes;
 
 /// The share of the plane that patches cover if only one was drawn: that of a Holstein.
 pub(in crate::synth) const USUAL_COVERAGE: f64 = 0.35;
@@ -17,6 +18,8 @@ pub(in crate::synth) const MOST_COVERAGE: f64 = 0.72;
 const CELLS: f64 = 3.0;
 /// Cells of the grid per distance of points in kept outlines, whose points are finer than the outlines need.
 const KEPT_CELLS: f64 = 1.5;
+/// Cells of the grid per depth of the blotches of a rosette.
+const BLOTCH_CELLS: f64 = 6.0;
 /// Distance from a drawn mark, in mean spacings, at which its weight in the raggedness of a place has fallen to a quarter.
 const SMOOTHING: f64 = 0.5;
 
@@ -25,6 +28,8 @@ const SMOOTHING: f64 = 0.5;
 pub struct PatchForm {
     /// Points a patch.
     pub detail: f64,
+    /// What the patches are as rosettes; `None` = they are solid.
+    pub rosette: Option<Rosettes>,
     ragged: Ragged,
 }
 
@@ -60,7 +65,7 @@ impl PatchForm {
                 100.0 * MOST_COVERAGE
             ));
         }
-        Self { detail: options.detail, ragged }
+        Self { detail: options.detail, rosette: options.rosette, ragged }
     }
 
     /// The wanted attributes at a place, px, where the map gives `spots` and their spread.
@@ -111,7 +116,9 @@ impl PatchForm {
 
     /// Cell of the grid that the points of such patches need, px.
     pub(super) fn cell(&self, wanted: &Wanted) -> f64 {
-        distance_of_points(wanted, self.detail) / CELLS
+        let of_points = distance_of_points(wanted, self.detail) / CELLS;
+        let of_blotches = self.rosette.map(|rosette| rosette.width_on(wanted.area) / BLOTCH_CELLS);
+        of_blotches.map_or(of_points, |cell| cell.min(of_points))
     }
 }
 
