@@ -3,7 +3,7 @@
 use dapple_engine::document::limits::{GAP, MAP_SIZE, Range as Limits};
 use dapple_engine::document::{
     Colours, DutyChoice, GapChoice, LayerMap, LayerMaps, LayerOptions, MapChange, MapKey, MapSource, Over,
-    RaggedChoice, Seeding, Spread, SpreadChoice, Stop, ToneImage,
+    RaggedChoice, Rosettes, Seeding, Spread, SpreadChoice, Stop, ToneImage,
 };
 use proptest::prelude::*;
 use std::ops::{Range, RangeInclusive};
@@ -38,7 +38,7 @@ fn options_of(gaps: RangeInclusive<f64>) -> BoxedStrategy<LayerOptions> {
         prop_oneof![2 => Just(RaggedChoice::Drawn), 1 => (0.0..=0.5_f64).prop_map(RaggedChoice::Given)],
         often(24.0, 7.0..=200.0),
         prop_oneof![2 => Just(GapChoice::Drawn), 1 => gaps.prop_map(GapChoice::Given)],
-        (often(0.8, 0.0..=0.85), prop::sample::select(Over::NAMES.map(|(_, over)| over).to_vec())),
+        (often(0.8, 0.0..=0.85), prop::sample::select(Over::NAMES.map(|(_, over)| over).to_vec()), rosette()),
     )
         .prop_map(|(spread, duty, broken, irregular, keep, seeding, ragged, detail, gap, rest)| {
             LayerOptions {
@@ -53,9 +53,19 @@ fn options_of(gaps: RangeInclusive<f64>) -> BoxedStrategy<LayerOptions> {
                 gap,
                 decay: rest.0,
                 over: rest.1,
+                rosette: rest.2,
             }
         })
         .boxed()
+}
+
+/// Mostly none.
+fn rosette() -> impl Strategy<Value = Option<Rosettes>> {
+    let width = prop_oneof![Just(None), (2.0..=60.0_f64).prop_map(Some)];
+    let parts = (1..=12_u32, 0..=4_u32).prop_map(|(least, more)| [least, (least + more).min(12)]);
+    let given = (parts, 0.0..=1.0_f64, width, 0..=6_u32, 0.0..=0.45_f64)
+        .prop_map(|(parts, solid, width, dots, tint)| Some(Rosettes { parts, solid, width, dots, tint }));
+    prop_oneof![3 => Just(None), 1 => given]
 }
 
 /// Colours with stops and bends.

@@ -38,8 +38,7 @@ fn described(choice: OptionKey) -> (&'static str, &'static str) {
     match choice {
         OptionKey::Spread => (
             "Variation",
-            "How much the spots differ from each other: as much as the drawn ones (if a region has at least \
-             six), not at all, or as the numbers below say",
+            "How much the spots differ from each other: as much as the drawn ones (at least six in a region), not at all, or as below",
         ),
         OptionKey::Irregular => (
             "Irregular",

@@ -1,7 +1,7 @@
 use super::*;
 use crate::attributes::Spread;
 use crate::document::{
-    Document, DutyChoice, GapChoice, LayerMap, LayerMaps, MapSource, Over, RaggedChoice, Seeding,
+    Document, DutyChoice, GapChoice, LayerMap, LayerMaps, MapSource, Over, RaggedChoice, Rosettes, Seeding,
     SpreadChoice, Stroke,
 };
 use crate::rd::System;
@@ -51,6 +51,7 @@ fn every_rule_can_be_broken() {
             ragged: RaggedChoice::Given(0.2),
             detail: 40.0,
             gap: GapChoice::Given(5.0),
+            rosette: Some(Rosettes::default()),
             decay: 0.5,
             over: Over::Plain,
         };
@@ -132,19 +133,23 @@ fn any_options() -> impl Strategy<Value = LayerOptions> {
     let gap = prop_oneof![Just(GapChoice::Drawn), (1.0..50.0f64).prop_map(GapChoice::Given)];
     let decay = prop_oneof![Just(0.8), 0.0..0.85f64];
     let over = prop::sample::select(vec![Over::Level, Over::Twill21]);
-    (spread, duty, share(), share(), keep, seeding, ragged, detail, gap, (decay, over)).prop_map(
-        |(spread, duty, broken, irregular, keep, seeding, ragged, detail, gap, (decay, over))| LayerOptions {
-            spread,
-            duty,
-            broken,
-            irregular,
-            keep,
-            seeding,
-            ragged,
-            detail,
-            gap,
-            decay,
-            over,
+    let rosette = prop::option::of((0.0..1.0f64).prop_map(|solid| Rosettes { solid, ..Rosettes::default() }));
+    (spread, duty, share(), share(), keep, seeding, ragged, detail, gap, (rosette, decay, over)).prop_map(
+        |(spread, duty, broken, irregular, keep, seeding, ragged, detail, gap, (rosette, decay, over))| {
+            LayerOptions {
+                spread,
+                duty,
+                broken,
+                irregular,
+                keep,
+                seeding,
+                ragged,
+                detail,
+                gap,
+                rosette,
+                decay,
+                over,
+            }
         },
     )
 }
