@@ -292,7 +292,7 @@ pub(super) static FIELD: Object = Object {
             "progression",
             Shape::AnyOf(&[Shape::Choice(|| WAYS.to_vec()), Shape::Object(&tone::IMAGE)]),
             "\"across\"",
-            "the way from the first number of a list to the second: from left to right, from top to bottom, from the middle to the corners, or from black to white of a picture stretched over the canvas. On `wrap` the first two go to the middle and back",
+            "the way from the first number of a list to the second: from left to right, from top to bottom, from the middle to the corners, or from black to white of a picture stretched over the canvas. On `wrap` the first two go to the middle and back. On a model `across` is along it and `down` from its top; the others are refused",
         ),
         Key::new(
             "labels",
