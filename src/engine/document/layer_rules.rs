@@ -248,7 +248,10 @@ impl Rule {
             Key::Option(option) => (
                 format!("options.{}", option.name()),
                 option.value(&layer.options),
-                option.always_allowed().join(" or "),
+                match option.always_allowed() {
+                    [] => format!("no {}", option.name()),
+                    values => values.join(" or "),
+                },
             ),
             Key::Tone => ("tone".to_owned(), "a tone".to_owned(), "no tone".to_owned()),
             Key::Points => ("points".to_owned(), "points".to_owned(), "no points".to_owned()),

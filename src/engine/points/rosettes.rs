@@ -1,15 +1,15 @@
 //! Rosettes: patches whose rims break up into blotches, as on leopards and jaguars.
 //!
-//! In polar coordinates about the centre of a patch, n blotches lie side by side. With d the depth inside the outline and f the
-//! place within a blotch,
+//! In polar coordinates about the centre of a patch of radius r, n blotches lie side by side, each in a sector 2πr ÷ n long. With d
+//! the depth inside the outline and f the place in a sector,
 //!
 //! ```text
 //! f = frac(n·(φ + bow·sin(φ + φ₂) + φ₁) / 2π)
-//! W = w·size·e^N(0, .25)·min(1.05 − 1.22·|2f − 1|³ + .18·noise, 1.25),   size = clamp(√(area ÷ mean area), .6, 1.35)
-//! q = min(d, W − d)
+//! W = w·size·e^N(0, .25)·(1 + .18·noise),   size = clamp(√(area ÷ mean area), .6, 1.35)
 //! ```
-//! there is ink where q > 0: at most as deep as W, and none between two blotches, where W < 0. The outlines of the patches stay
-//! where they are, but that noise makes the rims of blotches uneven. Inside, what is no ink has the `tint` of its rosette, below the level of an edge.
+//! a blotch is a bar with round corners: W deep from the outline inwards, and as long as its sector but for a gap of .35·w. The
+//! outlines of the patches stay where they are, but that noise makes the rims of blotches uneven. Inside, what is no ink has the
+//! `tint` of its rosette, below the level of an edge.
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -63,6 +63,14 @@ const UNEVEN_SIZE: f64 = 1.4;
 const UNEVEN: f64 = 0.08;
 /// The greatest turn of the places of blotches, radians.
 const MOST_BOW: f64 = 0.5;
+/// The gap between two blotches, in depths of a blotch.
+const GAP: f64 = 0.35;
+/// The least length of a blotch, in its sector.
+const LEAST_LENGTH: f64 = 0.4;
+/// The radius of the corners of a blotch, in half of its shorter side.
+const ROUND: f64 = 0.9;
+/// How much faster the pattern falls outside of a patch than inside, where its slope shows the tint.
+const STEEP: f64 = 5.0;
 /// Distance of dots from the middle, and their radius, in √area.
 const DOTS: [[f64; 2]; 2] = [[0.13, 0.2], [0.055, 0.09]];
 /// Difference between the seeds of marks: an odd number.
@@ -82,7 +90,9 @@ struct Rosette {
     /// φ₁ and φ₂, radians.
     phases: [f64; 2],
     bow: f64,
-    /// W at the middle of each blotch, px.
+    /// r, px.
+    radius: f64,
+    /// W of each blotch, without noise, px.
     depths: Vec<f64>,
     /// Middle and radius of each dot, px.
     dots: Vec<([f64; 2], f64)>,
@@ -120,7 +130,8 @@ pub fn rosettes(patches: &Field, of: &Rosettes, seed: u64) -> Field {
         let away = canvas.shortest([0, 1].map(|axis| grid.center_px(cell)[axis] - mark.center[axis]));
         let ink = rosette.ink(away, depth, uneven, width);
         let within = (depth / (0.5 * width)).clamp(0.0, 1.0) * rosette.tint;
-        (0.5 + ink / width).clamp(within.min(0.5), 1.0) as f32
+        let steep = if depth < 0.0 { STEEP } else { 1.0 };
+        (0.5 + steep * ink / width).clamp(within.min(0.5), 1.0) as f32
     };
     let values = (0..grid.cells()).into_par_iter().map(value).collect();
     Field { values, ..patches.clone() }
@@ -136,16 +147,25 @@ impl Rosette {
         let at = self.parts * (angle + bow + self.phases[0]) / turn;
         let (blotch, place) = (at.floor(), at - at.floor());
         let blotch = blotch.rem_euclid(self.parts) as usize % self.depths.len();
-        let from_middle = (2.0 * place - 1.0).abs();
-        let shape = (1.05 - 1.22 * from_middle.powi(3) + 0.18 * uneven).min(1.25);
+        let deep = self.depths[blotch] * (1.0 + 0.18 * uneven);
+        let sector = turn * self.radius / self.parts;
+        let long = (sector - GAP * width).max(LEAST_LENGTH * sector);
         let depth = depth + UNEVEN * width * uneven;
-        let of_blotch = depth.min(self.depths[blotch] * shape - depth);
+        let of_blotch = inside_bar([(place - 0.5) * sector, depth - 0.5 * deep], [0.5 * long, 0.5 * deep]);
         let of_dot = |(middle, radius): &([f64; 2], f64)| {
             let [x, y] = [away[0] - middle[0], away[1] - middle[1]];
             (radius - (x * x + y * y).sqrt()).min(depth)
         };
         self.dots.iter().map(of_dot).fold(of_blotch, f64::max)
     }
+}
+
+/// How deep a place, from the middle of a bar with round corners, lies inside it; negative outside. The bar has these half sides.
+fn inside_bar(at: [f64; 2], half: [f64; 2]) -> f64 {
+    let corner = ROUND * half[0].min(half[1]);
+    let [x, y] = [0, 1].map(|axis| at[axis].abs() - (half[axis] - corner));
+    let beyond = (x.max(0.0) * x.max(0.0) + y.max(0.0) * y.max(0.0)).sqrt();
+    corner - beyond - x.max(y).min(0.0)
 }
 
 /// The distance of the edge from a cell that lies beside it, px.
@@ -245,7 +265,8 @@ fn drawn(mark: &Mark, of: &Rosettes, width: f64, mean: f64, rng: &mut Pcg64Mcg) 
         ([away * cos, away * sin], radius)
     };
     let dots = (0..dots as usize).map(dot).collect();
-    Rosette { parts, phases, bow, depths, dots, tint }
+    let radius = (mark.area / std::f64::consts::PI).sqrt();
+    Rosette { parts, phases, bow, radius, depths, dots, tint }
 }
 
 #[cfg(test)]

@@ -22,7 +22,7 @@ impl fmt::Display for Key {
                 write!(f, "`system` other than {}", any_of(allowed.map(|(name, _)| *name)))
             }
             Self::Option(option) => {
-                write!(f, "`options.{}` other than {}", option.name(), either(*option))
+                write!(f, "{}", other_than_allowed(*option))
             }
             Self::Tone => write!(f, "`tone`"),
             Self::Points => write!(f, "`points`"),
@@ -62,7 +62,7 @@ impl fmt::Display for Condition {
             }
             Self::NotTaken(option) => write!(f, "a `system` that does not take `{}`", option.name()),
             Self::Option(option) => {
-                write!(f, "`options.{}` other than {}", option.name(), either(*option))
+                write!(f, "{}", other_than_allowed(*option))
             }
             Self::Driven => write!(f, "a layer with a `tone`"),
             Self::WithoutChance => {
@@ -105,8 +105,14 @@ fn grown(kind: Kind) -> &'static str {
     }
 }
 
-fn either(option: OptionKey) -> String {
-    option.always_allowed().iter().map(|value| format!("`{value}`")).collect::<Vec<_>>().join(" or ")
+/// An option with a value that not every layer allows.
+fn other_than_allowed(option: OptionKey) -> String {
+    let allowed = option.always_allowed().iter().map(|value| format!("`{value}`")).collect::<Vec<_>>();
+    let name = option.name();
+    if allowed.is_empty() {
+        return format!("`options.{name}`");
+    }
+    format!("`options.{name}` other than {}", allowed.join(" or "))
 }
 
 fn any_of<'a>(names: impl Iterator<Item = &'a str>) -> String {
