@@ -110,9 +110,9 @@ impl Subject {
             }
         }
         let layer = (self.layer)(&values);
-        let text = json!({"format": "dapple", "version": 2, "size": [SIDE, SIDE].map(|side| side as u32), "seed": seed,
-            "layers": [layer]})
-        .to_string();
+        let size = [SIDE as u32; 2];
+        let text = json!({"format": "dapple", "version": 2, "size": size, "seed": seed, "layers": [layer]})
+            .to_string();
         let document = Document::parse(&text, self.title).map_err(|error| error.to_string())?;
         let grown =
             Growth::begin(&document, &Options::default(), None).run().map_err(|error| error.to_string())?;
