@@ -12,6 +12,7 @@ mod allowed;
 mod bodies;
 mod check;
 mod cpu;
+mod cross_talk;
 mod draw;
 mod files;
 mod fineness;
@@ -66,6 +67,8 @@ enum Command {
     /// Compare growth on models: other triangulations of one surface, other ways to compute diffusion (docs/bodies.md,
     /// docs/turk.md)
     Bodies(bodies::Args),
+    /// Measure what else changes when one attribute of a sketch is changed: docs/cross-talk.md
+    CrossTalk(cross_talk::Args),
     /// Print the tables behind constants in the code and in docs/; run this at the root of the repository
     Tables(tables::Args),
 }
@@ -83,6 +86,7 @@ pub fn main() -> ExitCode {
         Command::GrowthMap(map) => growth_map::run(&map).map(|()| true),
         Command::Fineness(fineness) => fineness::run(&fineness).map(|()| true),
         Command::Bodies(bodies) => bodies::run(&bodies).map(|()| true),
+        Command::CrossTalk(cross_talk) => cross_talk::run(&cross_talk).map(|()| true),
         Command::Tables(tables) => tables::run(&tables).map(|()| true),
     };
     match done {

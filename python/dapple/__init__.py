@@ -9,22 +9,26 @@ Lengths are px, x to the right, y down; angles are degrees from +x towards +y, a
     (96, 96, 3)
 """
 
-from ._build import document, ellipse, layer, line, outline, path
+from ._build import document, ellipse, freehand, layer, line, outline, path
 from ._dapple import Error
 from ._data_set import KINDS, Item, Tip, stream
+from ._model import GrownModel, grow_on_model
 from ._texture import Grown, check, from_photo, grow, lookup, measure, read, schema
 
 __all__ = [
     "KINDS",
     "Error",
     "Grown",
+    "GrownModel",
     "Item",
     "Tip",
     "check",
     "document",
     "ellipse",
+    "freehand",
     "from_photo",
     "grow",
+    "grow_on_model",
     "layer",
     "line",
     "lookup",

@@ -59,6 +59,11 @@ def path(points: Iterable[Point], width: float = 6.0) -> Json:
     return {"kind": "path", "points": [_point(point) for point in points], "width": float(width)}
 
 
+def freehand(points: Iterable[Point], width: float = 6.0) -> Json:
+    """Return a pen stroke, px: closed it becomes an ellipse, open a path of this width or a line."""
+    return {"kind": "freehand", "points": [_point(point) for point in points], "width": float(width)}
+
+
 def outline(points: Iterable[Point]) -> Json:
     """Return a patch: the corners of a closed polygon, px."""
     return {"kind": "outline", "points": [_point(point) for point in points]}

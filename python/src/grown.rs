@@ -6,7 +6,10 @@ use crate::watched::watched;
 use dapple::document::with_causes;
 use dapple::engine::export::material::{Set, name};
 use dapple::engine::export::maps::Surface;
-use dapple::engine::synth::render::painting::{Making, Painting};
+use dapple::engine::document::embedded::MAX_SCALE;
+use dapple::engine::export::has_ending;
+use dapple::engine::export::outline::FORMATS;
+use dapple::engine::synth::render::painting::{Channel, Making, Painting};
 use dapple::{SaveTexture, files};
 use dapple::files::SavePicture;
 use pyo3::prelude::*;
@@ -91,7 +94,13 @@ impl Grown {
 
     #[pyo3(signature = (path, scale=1))]
     fn save(&self, py: Python<'_>, path: PathBuf, scale: u32) -> PyResult<()> {
-        let saved = py.detach(|| self.0.save_scaled(&path, scale));
+        let saved = watched(py, None, |watch| {
+            if FORMATS.iter().any(|ending| has_ending(&path, ending)) {
+                return self.0.save_scaled(&path, scale);
+            }
+            let scale = scale.clamp(1, MAX_SCALE);
+            self.painting(scale).prepare(&path, Channel::Texture, &self.0.style(scale), watch)?.keep()
+        })?;
         saved.map_err(|why| error(&with_causes(&why), None))
     }
 

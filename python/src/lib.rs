@@ -6,6 +6,7 @@ mod arrays;
 mod errors;
 mod grown;
 mod items;
+mod model;
 mod pictures;
 mod watched;
 
@@ -26,6 +27,8 @@ mod _dapple {
     use grown::Grown;
     #[pymodule_export]
     use items::{Item, item};
+    #[pymodule_export]
+    use model::{GrownModel, grow_model};
     #[pymodule_export]
     use pictures::{lookup, measure, photo};
 
@@ -82,8 +85,8 @@ mod _dapple {
         let document = read.map_err(document_error)?;
         let document = Document { seed: seed.unwrap_or(document.seed), ..document };
         if document.model.is_some() {
-            let found = "a document with a model, which grows on the command line: dapple grow FILE -o OUT.glb";
-            return Err(errors::error(&format!("{source}: model: found {found}"), Some("model")));
+            let wrong = "found a document with a model; allowed: one without, or grow_on_model";
+            return Err(errors::error(&format!("{source}: model: {wrong}"), Some("model")));
         }
         let grown = watched::watched(py, progress, |watch| {
             let options =

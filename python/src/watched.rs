@@ -4,6 +4,7 @@ use dapple::{Stage, Watch};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::RecvTimeoutError;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
@@ -46,6 +47,24 @@ pub fn watched<T: Send>(
         (Some(raised), _) => Err(raised),
         (None, Some(value)) => Ok(value),
         (None, None) => Err(PyRuntimeError::new_err("the work has stopped without a result")),
+    }
+}
+
+/// Runs `work`, which cannot be cancelled. Ctrl-C is raised at once, and the work is left to end by itself.
+pub fn abandoned<T: Send + 'static>(py: Python<'_>, work: impl FnOnce() -> T + Send + 'static) -> PyResult<T> {
+    let (send, ended) = std::sync::mpsc::channel();
+    // Where nobody waits any more, the result is dropped.
+    std::thread::spawn(move || drop(send.send(work())));
+    // A receiver is not for several threads at once, which the lock says.
+    let ended = Mutex::new(ended);
+    loop {
+        match py.detach(|| locked(&ended).recv_timeout(STEP)) {
+            Ok(value) => return Ok(value),
+            Err(RecvTimeoutError::Timeout) => py.check_signals()?,
+            Err(RecvTimeoutError::Disconnected) => {
+                return Err(PyRuntimeError::new_err("the work has stopped without a result"));
+            }
+        }
     }
 }
 

@@ -145,9 +145,43 @@ def test_ctrl_c_ends_a_growth():
     begun = time.monotonic()
     process.send_signal(signal.SIGINT)
     lines, _ = process.communicate(timeout=60)
-    print(f"Ctrl-C took {time.monotonic() - begun:.2f} s")
+    took = time.monotonic() - begun
+    print(f"Ctrl-C took {took:.2f} s")
     assert lines.endswith("stopped\n")
     assert process.returncode == 3
+
+
+SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n"
+
+
+def test_a_model_has_what_the_command_line_grows_on_it(tmp_path):
+    document = spots(model={"file": "square.obj", "px": 200})
+    (tmp_path / "square.obj").write_text(SQUARE)
+    (tmp_path / "a.dapple").write_text(json.dumps(document))
+    run = [PROGRAM, "grow", "a.dapple", "-o", "a.glb", "--size", "128x128", "-q"]
+    subprocess.run(run, cwd=tmp_path, check=True)
+    grown = dapple.grow_on_model(tmp_path / "a.dapple")
+    grown.save(tmp_path / "b.glb", size=[128, 128])
+    assert (tmp_path / "b.glb").read_bytes() == (tmp_path / "a.glb").read_bytes()
+    assert grown.unfit is None
+    assert grown.report["layers"][0]["spots"] > 3
+    again = dapple.grow_on_model(document, model=tmp_path / "square.obj")
+    again.material(tmp_path / "maps", name="square", size=[64, 64])
+    assert {"square_BaseColor.png", "square.gltf"} <= {path.name for path in (tmp_path / "maps").iterdir()}
+
+
+def test_a_model_without_texture_coordinates_says_so_and_has_automatic_ones(tmp_path):
+    grown = dapple.grow_on_model(spots(model={"file": "animal", "px": 300}))
+    assert "no texture coordinates" in grown.unfit
+    grown.save(tmp_path / "animal.obj", size=[64, 64])
+    assert "vt " in (tmp_path / "animal.obj").read_text()
+    with pytest.raises(dapple.Error, match=r"\.glb, \.obj or \.ply"):
+        grown.save(tmp_path / "animal.png")
+    with pytest.raises(dapple.Error, match="grow_on_model"):
+        dapple.grow(spots(model={"file": "animal"}))
+    with pytest.raises(dapple.Error, match="found none") as caught:
+        dapple.grow_on_model(spots())
+    assert caught.value.place == "model"
 
 
 def test_lookup_gives_parameters_in_cells():

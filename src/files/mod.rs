@@ -18,6 +18,7 @@ mod save;
 mod stale_files;
 mod temporary_folder;
 mod texture;
+mod textured_body;
 mod training;
 
 pub use abandon::{abandon, remove_empty_folders};
@@ -36,4 +37,5 @@ pub use save::{
 };
 pub use temporary_folder::TemporaryFolder;
 pub use texture::SaveTexture;
+pub use textured_body::TexturedBody;
 pub use training::{TrainingFolder, training};

@@ -5,6 +5,7 @@
 //! docs/golden.md says when to do so.
 
 mod bytes;
+mod data_set;
 mod folder;
 mod kinds;
 mod renew;

@@ -8,9 +8,12 @@ pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Path (from the root, with `/`) and text of each source file of the engine, the program and data-gen.
+/// Path (from the root, with `/`) and text of each source file of the engine, the program and data-gen, without build scripts: these
+/// run on the machine that builds.
 pub fn sources() -> Vec<(String, String)> {
-    files_in(&["src", "data-gen/src"])
+    let mut files = files_in(&["src", "data-gen/src"]);
+    files.retain(|(path, _)| !path.ends_with("/build.rs"));
+    files
 }
 
 /// Path (from the root, with `/`) and text of each Rust file in these folders.

@@ -214,7 +214,7 @@ impl fmt::Debug for Description {
 #[cfg(not(feature = "late-assets"))]
 macro_rules! picture {
     ($name:literal) => {
-        include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/systems/", $name, ".png"))
+        include_bytes!(concat!(env!("OUT_DIR"), "/", $name, ".png"))
     };
 }
 /// None: the program loads it.
@@ -231,7 +231,7 @@ pub(crate) use picture;
 pub struct TrainingFile {
     /// Its name, without `.csv`.
     pub name: &'static str,
-    /// Its rows, as `training/compile.rs` writes them.
+    /// Its rows, as `build.rs` writes them.
     pub rows: &'static [u8],
 }
 

@@ -1,4 +1,4 @@
-//! Training rows that are not compiled in: the program supplies them all at once, in the file `all.pack` of `training/compile.rs`.
+//! Training rows that are not compiled in: the program supplies them all at once, in the file `all.pack` of `build.rs`.
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;

@@ -1,4 +1,4 @@
-//! The training rows that are compiled in, as `training/compile.rs` writes them when the program is built.
+//! The training rows that are compiled in, as `build.rs` writes them when the program is built.
 
 use csv::StringRecord;
 

@@ -1,0 +1,56 @@
+//! Cross-talk: one attribute of a sketch is changed, and all attributes of what grows are measured. Beside it a plain simulation of the
+//! Gray–Scott model, whose parameters are changed likewise.
+
+mod effect;
+mod gray_scott;
+mod page;
+mod subjects;
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use dapple::files;
+use rayon::prelude::*;
+
+use effect::{Effects, Measured};
+use subjects::{SUBJECTS, Subject};
+
+/// How many growths, and where to write the page.
+#[derive(clap::Args)]
+pub struct Args {
+    /// Seeds for each value
+    #[arg(long, default_value_t = 20)]
+    seeds: u64,
+    /// The page
+    #[arg(short, long, value_name = "OUT.md", default_value = "docs/cross-talk.md")]
+    output: PathBuf,
+}
+
+/// The factors by which an attribute is multiplied. Directions are turned by 90° × (factor − 1).
+const FACTORS: [f64; 2] = [0.8, 1.2];
+
+/// Grows all and writes the page.
+pub fn run(args: &Args) -> Result<(), String> {
+    let mut matrices = Vec::new();
+    for subject in &SUBJECTS {
+        crate::say(subject.title)?;
+        matrices.push((subject, matrix(subject, args.seeds)?));
+    }
+    crate::say("Gray–Scott")?;
+    let plain = gray_scott::matrix(args.seeds);
+    let text = page::text(&matrices, &plain, args.seeds);
+    files::save(&args.output, |out| Ok(out.write_all(text.as_bytes())?)).map_err(|error| error.to_string())
+}
+
+/// Rows: the attribute that is changed; columns: those that are measured.
+fn matrix(subject: &Subject, seeds: u64) -> Result<Vec<Effects>, String> {
+    let row = |knob: usize| {
+        let grown = |seed: u64| -> Result<[Measured; 2], String> {
+            let [low, high] = FACTORS.map(|factor| subject.grown(Some((knob, factor)), seed));
+            Ok([low?, high?])
+        };
+        let pairs: Result<Vec<_>, String> = (1..=seeds).into_par_iter().map(grown).collect();
+        Ok(Effects::new(subject.attributes, &pairs?))
+    };
+    (0..subject.attributes.len()).map(row).collect()
+}
