@@ -85,6 +85,28 @@ pub const EXAMPLES: &[Example] = documents![
     "line-stripes" "Stripes from lines" "",
 ];
 
+/// Coats with a finish, in the order of the page.
+pub const COATS: &[Example] = documents![
+    "examples/coats":
+    "leopard-coat" "Leopard (fur)" "",
+    "jaguar-coat" "Jaguar (fur)" "",
+    "ocelot-coat" "Ocelot (fur)" "",
+    "cheetah-coat" "Cheetah (fur)" "",
+    "tiger-coat" "Tiger (fur)" "",
+    "plains-zebra-coat" "Plains zebra (fur)" "",
+    "masai-giraffe-coat" "Masai giraffe (fur)" "",
+    "reticulated-giraffe-coat" "Reticulated giraffe (fur)" "",
+    "holstein-coat" "Holstein (fur)" "",
+    "tabby-coat" "Tabby (fur)" "",
+    "spotted-hyena-coat" "Spotted hyena (fur)" "",
+    "whale-shark-coat" "Whale shark (skin)" "",
+    "reef-fish-coat" "Reef fish (scales)" "",
+    "ball-python-coat" "Ball python (scales)" "",
+    "gecko-coat" "Leopard gecko (skin)" "",
+    "denim" "Denim (twill)" "",
+    "linoleum" "Linoleum (leather)" "",
+];
+
 /// Examples drawn after figures of the papers, in the order of the page.
 pub const GALLERY: &[Example] = documents![
     "examples/gallery":
@@ -131,15 +153,19 @@ impl Gallery {
             self.load(ui, tasks);
         }
         self.listen();
-        let (examples, gallery) = self.textures.split_at(EXAMPLES.len());
+        let (examples, others) = self.textures.split_at(EXAMPLES.len());
+        let (coats, gallery) = others.split_at(COATS.len());
         let height = (ui.ctx().content_rect().height() - 190.0).clamp(200.0, 700.0);
         let scroll = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
         let shown = scroll.show(ui, |ui| {
             ui.set_width(columns(ui.ctx()) as f32 * CELL);
             let example = cards(ui, EXAMPLES, examples);
             ui.add_space(8.0);
+            ui.heading("Coats, with fur, scales, skin");
+            let coat = cards(ui, COATS, coats);
+            ui.add_space(8.0);
             ui.heading("From the papers");
-            example.or(cards(ui, GALLERY, gallery))
+            example.or(coat).or(cards(ui, GALLERY, gallery))
         });
         shown.inner
     }
@@ -151,7 +177,7 @@ impl Gallery {
     }
 
     fn load(&mut self, ui: &Ui, tasks: &Tasks) {
-        let all = || EXAMPLES.iter().chain(GALLERY).enumerate();
+        let all = || all().enumerate();
         let empty = |example: &Example| {
             ui.ctx().load_texture(
                 example.name,
@@ -184,9 +210,14 @@ impl Gallery {
     }
 }
 
+/// All examples, in the order of the page.
+fn all() -> impl Iterator<Item = &'static Example> {
+    EXAMPLES.iter().chain(COATS).chain(GALLERY)
+}
+
 /// The example of this name.
 pub fn named(name: &str) -> Option<&'static Example> {
-    EXAMPLES.iter().chain(GALLERY).find(|example| example.name == name)
+    all().find(|example| example.name == name)
 }
 
 /// The picture of an example, for use outside of the page; `None` where there is no example of this name.

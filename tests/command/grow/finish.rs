@@ -170,3 +170,19 @@ fn hair_follows_an_angle_or_the_strokes_of_a_layer_of_hair() {
     let (same, other) = (apart(&angled[0], &drawn[0]), apart(&angled[0], &usual[0]));
     assert!(same < 1.0 && other > 5.0, "{same} {other}");
 }
+
+#[test]
+fn the_coats_are_formatted_as_the_program_writes_them_and_each_has_a_finish_and_a_picture() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut count = 0;
+    for entry in std::fs::read_dir(root.join("examples/coats")).unwrap() {
+        let path = entry.unwrap().path();
+        let text = std::fs::read_to_string(&path).unwrap();
+        let document = dapple::document::Document::parse(&text, "example").unwrap();
+        assert!(document.finish.is_some() && text == document.to_json(), "{}", path.display());
+        let picture = root.join("assets/examples").join(path.file_stem().unwrap()).with_extension("png");
+        assert!(picture.is_file(), "{}", picture.display());
+        count += 1;
+    }
+    assert_eq!(count, 17);
+}

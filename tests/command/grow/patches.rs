@@ -260,3 +260,27 @@ fn impossible_patches_are_refused_with_the_reason() {
         json!({"system": "patches", "strokes": [{"kind": "line", "from": [10, 10], "to": [60, 10]}]});
     Folder::with(&lines).refuses("check a.dapple", 1, &["layers[0].system", "spots", "lines"]);
 }
+
+#[test]
+fn rosettes_are_measured_by_their_outlines_and_have_less_ink_than_solid_patches() {
+    let patches = |options: Value| {
+        let ellipse = |x: u32, y: u32| json!({"kind": "ellipse", "center": [x, y], "radii": [20, 16]});
+        json!({"format": "dapple", "version": 2, "size": [256, 256], "edges": "wrap", "layers": [{
+            "system": "patches", "strokes": [ellipse(80, 80), ellipse(126, 84), ellipse(102, 126)], "options": options
+        }]})
+    };
+    let grown = |options: Value| {
+        let folder = Folder::with(&patches(options));
+        folder.grow("--labels l.png --report r.json");
+        let ink = image::open(folder.path("l.png")).unwrap().into_luma8();
+        let ink = ink.pixels().filter(|px| px.0[0] > 0).count();
+        (ink, folder.json("r.json")["layers"][0]["regions"][0]["got"].clone())
+    };
+    let (solid, of_patches) = grown(json!({"keep": false}));
+    let (broken, of_rosettes) = grown(json!({"keep": false, "rosette": {"solid": 0}}));
+    assert!(broken * 10 < solid * 9 && broken * 4 > solid, "{broken} of {solid}");
+    for key in ["area", "spacing", "raggedness"] {
+        let [of_patches, of_rosettes] = [&of_patches, &of_rosettes].map(|got| got[key].as_f64().unwrap());
+        assert!((of_rosettes / of_patches - 1.0).abs() < 0.05, "{key}: {of_rosettes} of {of_patches}");
+    }
+}
