@@ -2,7 +2,8 @@
 
 use crate::document::systems::POINTS;
 use crate::document::{
-    After, Colours, Document, Layer, LayerMaps, LayerOptions, Points, SystemChoice, Tone, ToneImage,
+    After, Colours, Document, Finishing, Layer, LayerMaps, LayerOptions, Points, SystemChoice, Tone,
+    ToneImage,
 };
 use crate::editor::goal::Goal;
 use crate::editor::selection::Place;
@@ -24,6 +25,8 @@ pub enum Edit {
     Dpi(f64),
     /// Set the seed.
     Seed(u64),
+    /// Set or remove the finish.
+    Finish(Option<Finishing>),
     /// Replace marks.
     Marks(Vec<(Place, Mark)>),
     /// Name a layer.
@@ -58,6 +61,7 @@ impl Session {
             Edit::Edges(edges) => self.edit(|document| document.edges = edges),
             Edit::Dpi(dpi) => self.edit(|document| document.dpi = dpi),
             Edit::Seed(seed) => self.edit(|document| document.seed = seed),
+            Edit::Finish(finish) => self.edit(|document| document.finish = finish),
             Edit::Marks(marks) => self.replace(&marks),
             Edit::LayerName(layer, name) => self.change_layer(layer, |layer| layer.name = name),
             Edit::LayerAfter(layer, after) => self.change_layer(layer, |layer| layer.after = after),

@@ -7,7 +7,7 @@ use std::fs;
 use dapple::ReadFile;
 use dapple::app::GrowthState;
 use dapple::document::palette::Palette;
-use dapple::document::{Colours, Document};
+use dapple::document::{Colours, Document, FlowChoice};
 use dapple_engine::colour::{Bend, Gradient, PRESETS};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, vec2};
@@ -252,4 +252,32 @@ fn every_control_of_the_colours_has_a_name() {
         }
     }
     assert!(hand.window.query_all_by_role(Role::Slider).count() >= 6, "stops and handles are among them");
+}
+
+#[test]
+fn a_finish_is_chosen_beside_the_colours_without_growing_again_and_undone() {
+    let (mut hand, _folder) = with_layers(1);
+    hand.until_settled();
+    let before = hand.document();
+    hand.click_role(Role::ComboBox, "Material");
+    hand.rest();
+    hand.click_label("Fish scales");
+    hand.rest();
+    let chosen = hand.document().finish.expect("a finish");
+    assert_eq!((chosen.finish.kind.name(), chosen.finish.size), ("fish-scales", 14.0));
+    assert!(
+        matches!(hand.growth_state(), GrowthState::Settled(_)),
+        "it grows again: {:?}",
+        hand.growth_state()
+    );
+    hand.type_into("Size of the material", "9");
+    hand.reach("Direction automatic");
+    hand.press("Direction automatic");
+    hand.type_into("Direction of the material", "45");
+    let chosen = hand.document().finish.expect("a finish");
+    assert_eq!((chosen.finish.size, chosen.flow), (9.0, FlowChoice::Angle(45.0)));
+    for _ in 0..4 {
+        hand.key(Modifiers::COMMAND, Key::Z);
+    }
+    assert_eq!(hand.document(), before);
 }

@@ -379,9 +379,10 @@ impl Growth {
     }
 }
 
-/// The part of the document on which the pattern depends: the document without its names, colours and dots per inch.
+/// The part of the document on which the pattern depends: the document without its names, colours, finish and dots per inch.
 pub(in crate::app) fn essence(document: &Document) -> Document {
-    let mut essence = Document { name: String::new(), dpi: 300.0, starred: Vec::new(), ..document.clone() };
+    let mut essence =
+        Document { name: String::new(), dpi: 300.0, starred: Vec::new(), finish: None, ..document.clone() };
     for layer in &mut essence.layers {
         layer.name.clear();
         layer.colours = None;

@@ -8,6 +8,7 @@ mod column;
 mod context_menu;
 mod draw;
 mod entries;
+mod finish;
 mod form;
 mod goals;
 mod growth_bar;

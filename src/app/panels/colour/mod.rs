@@ -14,6 +14,7 @@ mod swatches;
 use egui::{Color32, Key, RichText, TextureHandle, Ui, ecolor::HsvaGamma};
 
 use crate::app::action::Action;
+use crate::app::panels::finish::finish;
 use crate::colour::ColourModel;
 use crate::document::Colours;
 use crate::editor::edit::Edit;
@@ -112,6 +113,7 @@ pub fn colour(ui: &mut Ui, session: &Session, panel: &mut ColourPanel) -> Vec<Ac
     }
     actions.extend(copies::copies(ui, session, &colours));
     actions.extend(preset.map(|preset| paint(layer, preset)));
+    actions.extend(finish(ui, session.document()));
     actions
 }
 

@@ -1,0 +1,94 @@
+//! The finish of the document: its material, the size of its parts, the direction of hair and scales.
+
+use egui::{ComboBox, DragValue, RichText, Ui};
+
+use super::form::{heading, rows};
+use crate::app::action::Action;
+use crate::app::units::number_field;
+use crate::document::{Document, Finish, FinishKind, Finishing, FlowChoice};
+use crate::editor::edit::Edit;
+
+/// The name of no finish.
+const NONE: &str = "none";
+
+/// Shows the finish of `document`.
+pub fn finish(ui: &mut Ui, document: &Document) -> Option<Action> {
+    heading(ui, "Finish");
+    if document.model.is_some() {
+        ui.label(RichText::new("Textures on models have no finish yet.").weak());
+        return None;
+    }
+    let mut now = document.finish.clone();
+    rows(ui, "finish", |ui| {
+        ui.label("Material").on_hover_text(
+            "What the texture is made of. It changes the picture only: pattern, outlines and measurements stay",
+        );
+        kind(ui, &mut now);
+        ui.end_row();
+        if let Some(finishing) = &mut now {
+            size(ui, &mut finishing.finish);
+            if finishing.finish.kind.has_flow() {
+                direction(ui, &mut finishing.flow);
+            }
+        }
+    });
+    (now != document.finish).then_some(Action::Edit(Edit::Finish(now)))
+}
+
+fn kind(ui: &mut Ui, now: &mut Option<Finishing>) {
+    let shown = now.as_ref().map_or(NONE, |finishing| finishing.finish.kind.name());
+    let combo = ComboBox::from_id_salt("finish").selected_text(words(shown)).width(110.0);
+    let combo = combo.show_ui(ui, |ui| {
+        if ui.selectable_label(now.is_none(), words(NONE)).clicked() {
+            *now = None;
+        }
+        for (name, kind) in FinishKind::NAMES {
+            if ui.selectable_label(shown == name, words(name)).clicked() && shown != name {
+                let flow = now.take().map_or(FlowChoice::Usual, |finishing| finishing.flow);
+                let flow = if kind.has_flow() { flow } else { FlowChoice::Usual };
+                *now = Some(Finishing { finish: Finish::new(kind), flow });
+            }
+        }
+    });
+    combo.response.accessible_name("Material");
+}
+
+fn size(ui: &mut Ui, finish: &mut Finish) {
+    let help = format!("The {}, px of the canvas", finish.kind.measure());
+    ui.label("Size").on_hover_text(&help);
+    let [low, high] = Finish::SIZES;
+    let field = DragValue::new(&mut finish.size).range(low..=high).speed(0.1).max_decimals(1);
+    ui.add(number_field(field, " px")).accessible_name("Size of the material").on_hover_text(help);
+    ui.end_row();
+}
+
+fn direction(ui: &mut Ui, flow: &mut FlowChoice) {
+    let help = "The way from head to tail. Automatic: across stripes, otherwise to the left";
+    ui.label("Direction").on_hover_text(help);
+    if matches!(flow, FlowChoice::Strokes(_)) {
+        ui.label(RichText::new("along the strokes of its layer of hair").weak());
+        ui.end_row();
+        return;
+    }
+    ui.horizontal(|ui| {
+        let mut automatic = *flow == FlowChoice::Usual;
+        let field = ui.checkbox(&mut automatic, "automatic").accessible_name("Direction automatic");
+        if field.on_hover_text(help).changed() {
+            *flow = if automatic { FlowChoice::Usual } else { FlowChoice::Angle(FlowChoice::HEAD_TO_TAIL) };
+        }
+        if let FlowChoice::Angle(degrees) = flow {
+            let field = DragValue::new(degrees).range(-360.0..=360.0).speed(0.5).max_decimals(0);
+            ui.add(number_field(field, "°")).accessible_name("Direction of the material");
+        }
+    });
+    ui.end_row();
+}
+
+/// The name of a finish in words, with a capital.
+fn words(name: &str) -> String {
+    let mut letters = name.replace('-', " ");
+    if let Some(first) = letters.get_mut(..1) {
+        first.make_ascii_uppercase();
+    }
+    letters
+}
