@@ -261,7 +261,7 @@ fn a_finish_is_chosen_beside_the_colours_without_growing_again_and_undone() {
     let before = hand.document();
     hand.click_role(Role::ComboBox, "Material");
     hand.rest();
-    hand.click_label("Fish scales");
+    hand.press("Fish scales");
     hand.rest();
     let chosen = hand.document().finish.expect("a finish");
     assert_eq!((chosen.finish.kind.name(), chosen.finish.size), ("fish-scales", 14.0));
