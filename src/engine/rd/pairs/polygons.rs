@@ -114,6 +114,8 @@ pub fn widest_gap(side: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::grid::{Domain, Edges, Grid};
+    use crate::rd::pairs::{PairField, PairGrowth, PairParameterField, PairStart};
 
     #[test]
     fn gaps_of_the_law_have_their_size() {
@@ -129,5 +131,51 @@ mod tests {
         assert!((distance(20.0, widest_gap(20.0)) - LEAST_DISTANCE * widest_gap(20.0)).abs() < 1e-9);
         // Closer than cells can be: the size for the least distance.
         assert!((size(5.0, 10.0) - size(5.0, LEAST_DISTANCE * 5.0)).abs() < 1e-12);
+    }
+
+    const SIDE: usize = 128;
+    /// Rows by which lines fall from one column to the next.
+    const SLOPE: f64 = 0.125;
+    /// Rows between two lines.
+    const APART: f64 = 16.0;
+    /// Where a line begins below its row at column 0, and how wide it is, rows.
+    const LINE: [f64; 2] = [5.0, 4.4];
+
+    /// How sharp the corners are that the grid gives to the upper edges of lines between cells, where the field falls to ½: by how much an
+    /// edge departs at a column from the middle between the columns beside; cells, root mean square.
+    fn corners(field: &[f32]) -> f64 {
+        let place = |x: usize| {
+            let first = (SLOPE * x as f64 + APART + LINE[0]) as usize - 4;
+            let row = (first..first + 8).find(|y| field[(y + 1) * SIDE + x] < 0.5).expect("an edge");
+            let [above, below] = [row, row + 1].map(|y| f64::from(field[y * SIDE + x]));
+            row as f64 + (0.5 - above) / (below - above)
+        };
+        let columns = 32..96;
+        let departures = columns.clone().map(|x| place(x) - 0.5 * (place(x - 1) + place(x + 1)));
+        (departures.map(|away| away * away).sum::<f64>() / columns.len() as f64).sqrt()
+    }
+
+    #[test]
+    fn edges_of_cells_have_no_steps_of_the_grid() {
+        let grid = Grid::unit([SIDE; 2], Edges::Wrap);
+        let pair = PairField::uniform(grid.cells(), 0.0, 1.75, BLURS);
+        let maps = PairParameterField { grid, pairs: vec![pair], obstacles: Vec::new(), raised: Vec::new() };
+        let model = model();
+        // Lines that close over the border: over all columns they fall by one distance.
+        let reaction = |cell: usize| {
+            let [x, y] = [cell % SIDE, cell / SIDE].map(|k| k as f64);
+            let away = (y - SLOPE * x).rem_euclid(APART) - LINE[0];
+            f32::from(u8::from(!(0.0..LINE[1]).contains(&away)))
+        };
+        let start = PairStart::Drawn((0..SIDE * SIDE).map(reaction).collect());
+        let mut growth = PairGrowth::new(&maps, &model, &start).expect("one pair");
+        growth.advance(growth.steps_in(TIME));
+        let before = corners(&growth.concentrations()[0]);
+        let last = growth.steps_in(TIME + SMOOTHING);
+        while growth.steps() < last {
+            growth.advance_by_shares(&model, &[]).expect("one pair");
+        }
+        let after = corners(&growth.concentrations()[0]);
+        assert!(after < 0.5 * before, "{after} after {before}");
     }
 }

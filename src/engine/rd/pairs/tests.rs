@@ -106,44 +106,6 @@ fn all_instructions_and_tilings_give_the_bits_of_the_plain_solver() {
     }
 }
 
-/// How uneven the upper edge of a line between cells is, where a field falls to ½: by how much the edge departs at a place from the middle
-/// between the places four cells to both sides; cells, root mean square. In a straight line it is 0, and in steps of one cell in eight
-/// these are at their opposite parts.
-fn steps_of_the_upper_edge(field: &[f32], side: usize) -> f64 {
-    let place = |x: usize| {
-        let row = (side / 4..side / 2).find(|y| field[(y + 1) * side + x] < 0.5).expect("an edge");
-        let [above, below] = [row, row + 1].map(|y| f64::from(field[y * side + x]));
-        row as f64 + (0.5 - above) / (below - above)
-    };
-    let middle = side / 4..3 * side / 4;
-    let departures = middle.clone().map(|x| place(x) - 0.5 * (place(x - 4) + place(x + 4)));
-    (departures.map(|away| away * away).sum::<f64>() / middle.len() as f64).sqrt()
-}
-
-#[test]
-fn edges_leave_the_borders_of_cells_when_the_reaction_is_a_share() {
-    // A line between two cells that falls by one cell in eight; it is read in the middle half, since it does not close over the border.
-    let (side, slope) = (64, 0.125);
-    let mut maps = maps(side, &[(0.0, 1.75)]);
-    maps.pairs[0].blurs = polygons::BLURS;
-    let model = polygons::model();
-    let line = |cell: usize| {
-        let [x, y] = [cell % side, cell / side].map(|k| k as f64);
-        f32::from(u8::from(!(22.0..26.4).contains(&(y - slope * x))))
-    };
-    let start = PairStart::Drawn((0..side * side).map(line).collect());
-    let mut growth = PairGrowth::new(&maps, &model, &start).expect("one pair");
-    let steps = |growth: &PairGrowth| steps_of_the_upper_edge(&growth.concentrations()[0], side);
-    growth.advance(growth.steps_in(polygons::TIME));
-    let before = steps(&growth);
-    let last = growth.steps_in(polygons::TIME + polygons::SMOOTHING);
-    while growth.steps() < last {
-        growth.advance_by_shares(&model, &[]).expect("one pair");
-    }
-    let after = steps(&growth);
-    assert!(after < 0.5 * before, "{after} after {before}");
-}
-
 /// Share of the cells at which the difference is above the threshold, for each pair.
 fn shares(growth: &PairGrowth, threshold: f32) -> Vec<f64> {
     let share = |field: &crate::grid::Field| {
