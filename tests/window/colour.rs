@@ -259,7 +259,9 @@ fn a_finish_is_chosen_beside_the_colours_without_growing_again_and_undone() {
     let (mut hand, _folder) = with_layers(1);
     hand.until_settled();
     let before = hand.document();
-    hand.click_role(Role::ComboBox, "Material");
+    hand.window.get_by_label("Material of the texture").scroll_to_me();
+    hand.window.run_steps(60);
+    hand.click_role(Role::ComboBox, "Material of the texture");
     hand.rest();
     hand.press("Fish scales");
     hand.rest();

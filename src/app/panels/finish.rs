@@ -50,7 +50,7 @@ fn kind(ui: &mut Ui, now: &mut Option<Finishing>) {
             }
         }
     });
-    combo.response.accessible_name("Material");
+    combo.response.accessible_name("Material of the texture");
 }
 
 fn size(ui: &mut Ui, finish: &mut Finish) {

@@ -36,7 +36,7 @@ pub struct Rosettes {
 }
 
 impl Default for Rosettes {
-    /// Those of a leopard.
+    /// The blotches of a leopard.
     fn default() -> Self {
         Self { parts: [3, 5], solid: 0.25, width: None, dots: 0, tint: 0.3 }
     }
@@ -273,7 +273,6 @@ fn drawn(mark: &Mark, of: &Rosettes, width: f64, mean: f64, rng: &mut Pcg64Mcg) 
 mod tests {
     use super::*;
     use crate::grid::Grid;
-    use crate::measure::spots;
 
     /// Discs of radius 20 px, 64 px apart, on a tile of 256 × 256 px.
     fn discs() -> Field {
@@ -296,7 +295,7 @@ mod tests {
         for parts in [3, 5] {
             let of = Rosettes { parts: [parts; 2], solid: 0.0, width: Some(9.0), dots: 0, tint: 0.3 };
             let grown = rosettes(&patches, &of, 7);
-            let blotches = spots(&grown, EDGE).len() as u32;
+            let blotches = marks(&grown).1.len() as u32;
             assert!(blotches.abs_diff(16 * parts) <= 4, "{parts}: {blotches} blotches of 16 rosettes");
             let outside = patches
                 .values
@@ -333,7 +332,6 @@ mod tests {
         let moved = Field::new(&patches.grid(), (0..256 * 256).map(moved).collect());
         let of = Rosettes { solid: 0.0, ..Rosettes::default() };
         let grown = rosettes(&moved, &of, 7);
-        assert!(spots(&grown, EDGE).iter().all(|spot| spot.whole), "cut marks on a tile");
         let jump = |a: usize, b: usize| f64::from((grown.values[a] - grown.values[b]).abs());
         let seam = (0..256).map(|y| jump(y * 256, y * 256 + 255)).fold(0.0, f64::max);
         let inner = (0..256).map(|y| jump(y * 256 + 40, y * 256 + 41)).fold(0.0, f64::max);
