@@ -272,9 +272,10 @@ fn a_finish_is_chosen_beside_the_colours_without_growing_again_and_undone() {
         "it grows again: {:?}",
         hand.growth_state()
     );
+    hand.window.get_by_label("Size of the material").scroll_to_me();
+    hand.window.run_steps(60);
     hand.type_into("Size of the material", "9");
     hand.reach("Direction automatic");
-    hand.press("Direction automatic");
     hand.type_into("Direction of the material", "45");
     let chosen = hand.document().finish.expect("a finish");
     assert_eq!((chosen.finish.size, chosen.flow), (9.0, FlowChoice::Angle(45.0)));
