@@ -272,7 +272,7 @@ static ROSETTE: Object = Object {
             "tint",
             Shape::Number(limits::ROSETTE_TINT),
             "0.3",
-            "the pattern inside a rosette, which the colours show: 0 is that of the ground, 0.5 that of an edge. It differs from one to the next, down to 0.45 of this",
+            "the pattern inside a rosette, which the colours show: 0 is that of the ground, 0.5 that of an edge. Each rosette has 0.45 to 1 times this",
         ),
     ],
 };

@@ -31,7 +31,7 @@ pub struct Rosettes {
     pub width: Option<f64>,
     /// The greatest number of dots inside a rosette, at least one where it is not 0.
     pub dots: u32,
-    /// The pattern inside a rosette, 0 (ground) to below ½ (an edge): what has most of it; others have .45 of it and more.
+    /// The pattern inside the most tinted rosette, 0 (ground) to below ½ (an edge). That inside another is 0.45 to 1 times as high.
     pub tint: f64,
 }
 
@@ -126,6 +126,7 @@ pub fn rosettes(patches: &Field, of: &Rosettes, seed: u64) -> Field {
         let side = if inside[cell] { 1.0 } else { -1.0 };
         // The edge lies between the two cells, where the pattern is ½.
         let depth = side * (length(way, &grid) - beyond(patches, beside)).max(0.0);
+        // From 0..1 to −2..2, so that its deviation is about 1.
         let uneven = f64::from(4.0 * noise.values[cell] - 2.0);
         let away = canvas.shortest([0, 1].map(|axis| grid.center_px(cell)[axis] - mark.center[axis]));
         let ink = rosette.ink(away, depth, uneven, width);

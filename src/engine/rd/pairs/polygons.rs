@@ -156,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn edges_of_cells_have_no_steps_of_the_grid() {
+    fn smoothing_takes_more_than_half_of_the_corners_of_the_grid_off_edges() {
         let grid = Grid::unit([SIDE; 2], Edges::Wrap);
         let pair = PairField::uniform(grid.cells(), 0.0, 1.75, BLURS);
         let maps = PairParameterField { grid, pairs: vec![pair], obstacles: Vec::new(), raised: Vec::new() };

@@ -76,10 +76,13 @@ impl SharedGrid {
         self.stepper.advance_plain(steps);
     }
 
-    /// Takes one super step in which the reaction is held at the shares of the cells above the threshold; `None` if `raised` or the
-    /// model is for another number of cells or pairs. No other step can follow but one of these.
+    /// Takes one super step in which the reaction is held at the shares of the cells above the threshold; `None` if `raised`
+    /// is for another number of cells. No other step can follow but one of these.
     pub fn advance_by_shares(&mut self, model: &PairModel, raised: &[f32]) -> Option<()> {
         let layout = self.stepper.problem.grid;
+        if !(raised.is_empty() || raised.len() == layout.nx * layout.ny) {
+            return None;
+        }
         let unit = model.peak_gain() * model.gain.at(0.0);
         let raised: Vec<f32> = raised.iter().map(|raised| unit * raised).collect();
         let differences: Vec<Vec<f32>> = self.differences().into_iter().map(|field| field.values).collect();
