@@ -28,6 +28,8 @@ pub enum Beginning {
     Example(&'static str),
     /// A field of points with the blotches of a cow.
     Cow,
+    /// The canvas, the layers and the finish of the example with this name.
+    Coat(&'static str),
 }
 
 /// What a user can ask for.

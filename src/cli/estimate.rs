@@ -24,11 +24,11 @@ pub struct Estimate<'a> {
 }
 
 impl Estimate<'_> {
-    /// Writes to stderr how long these tasks will take, each grown `times` times, if that is long. Returns whether it
-    /// was written.
-    pub fn announce(&self, tasks: &[Task], times: f64) -> bool {
+    /// Writes to stderr how long these tasks will take, each grown `times` times with `pictures` finished pictures, if that
+    /// is long. Returns whether it was written.
+    pub fn announce(&self, tasks: &[Task], times: f64, pictures: f64) -> bool {
         let px: f64 = tasks.iter().map(|task| task.px()[1]).sum();
-        if self.quiet || times * px < SMALL {
+        if self.quiet || times.max(pictures) * px < SMALL {
             return false;
         }
         let every = tasks.len().div_ceil(MAX_ESTIMATED).max(1);
@@ -36,11 +36,11 @@ impl Estimate<'_> {
         for task in tasks.iter().step_by(every) {
             // A document that cannot be grown reports its error later.
             if let Some(found) = Needs::estimate(task, self.training) {
-                seconds += found.seconds;
+                seconds += times * found.seconds + pictures * found.finish;
                 tried += task.px()[1];
             }
         }
-        tried > 0.0 && self.announce_seconds(times * seconds * px / tried)
+        tried > 0.0 && self.announce_seconds(seconds * px / tried)
     }
 
     /// Writes to stderr that the work will take this number of seconds, if that is long. Returns whether it was

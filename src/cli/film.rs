@@ -12,12 +12,13 @@ use super::{Error, values};
 use crate::document::Document;
 use crate::export::motion::Kind;
 use crate::files::{self, ReadFile, SaveFilm, film_kind};
+use crate::finish::Finish;
 use crate::machine::{free_memory, this_machine, threads};
 use crate::synth::estimate::Task;
 use crate::synth::render::clip::{self, Clip, ClipError};
 use crate::synth::render::film::Scene;
 use crate::synth::render::morph::{Morph, MorphError};
-use crate::synth::{Options, Watch};
+use crate::synth::{Options, Watch, memory};
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
@@ -90,12 +91,17 @@ impl Args {
         Clip { side, seconds, fps, once, hold: hold.unwrap_or(Clip::default().hold) }
     }
 
-    /// Says that the film shows the texture without the finish of its document.
-    fn say_finish(&self, document: &Document) {
-        if let (false, Some(finishing)) = (self.quiet, &document.finish) {
-            let (file, kind) = (self.file.display(), finishing.finish.kind.name());
-            super::note(&format!("{file}: films show the texture without its finish, {kind}"));
+    /// Checks that the finish of a frame of `documents` fits into memory, before anything grows.
+    fn check_finish(&self, documents: &[&Document]) -> Result<(), Error> {
+        if documents.iter().all(|document| document.finish.is_none()) {
+            return Ok(());
         }
+        // Frames that are smaller than the canvas are finished at its size.
+        let frame = self.clip().film(documents, 0).size;
+        let sides = [0, 1].map(|axis| frame[axis].max(documents[0].size[axis] as usize) as f64);
+        let needed = sides[0] * sides[1] * Finish::BYTES_A_PX;
+        memory::check_export("the finish", needed, "choose a smaller --side", Some(free_memory()))
+            .map_err(Error::step)
     }
 
     /// Says which given options do nothing.
@@ -142,9 +148,9 @@ pub fn run(args: &Args) -> Result<(), Error> {
     if let (Some(other), Some(file)) = (&other, &args.to) {
         check_flat(other, file, "a film")?;
     }
-    if let Some(threads) = args.threads {
-        threads::set_shared(threads);
-    }
+    let documents: Vec<&Document> = [Some(&document), other.as_ref()].into_iter().flatten().collect();
+    args.check_finish(&documents)?;
+    args.threads.into_iter().for_each(threads::set_shared);
     let cancelled = super::install();
     let cancelled = || cancelled.load(Ordering::Relaxed);
     let training = files::training(args.training.clone());
@@ -154,7 +160,8 @@ pub fn run(args: &Args) -> Result<(), Error> {
     // Each texture is grown twice: the first time measures how much each moment changes.
     let task =
         Task { document: &document, size: document.size, source: &source, scale: 1, machine: this_machine() };
-    let announced = other.is_none() && estimate.announce(&[task], 2.0);
+    let finished_frames = args.clip().frames(kind).map_err(film_error)? as f64;
+    let announced = other.is_none() && estimate.announce(&[task], 2.0, finished_frames);
     let underway = Underway::begin(2 * document.layers.len(), args.quiet || announced || other.is_some());
     let show = |stage, share| {
         bar.show(stage, share);
@@ -187,7 +194,6 @@ pub fn run(args: &Args) -> Result<(), Error> {
     bar.clear();
     let (prepared, _) = written.map_err(film_error)?;
     prepared.keep().map_err(Error::step)?;
-    args.say_finish(&document);
     args.say_idle(kind);
     Ok(())
 }

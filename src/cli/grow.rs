@@ -242,7 +242,7 @@ fn grow_one(
     let bar = Bar::new(args.quiet);
     let source = files::source(&args.file);
     let announced = of_batch.is_some()
-        || Estimate { training, quiet: args.quiet }.announce(&[task(&document, extent, &source)], 1.0);
+        || Estimate { training, quiet: args.quiet }.announce(&[task(&document, extent, &source)], 1.0, 1.0);
     let alone = Underway::begin(document.layers.len(), args.quiet || announced);
     let underway = of_batch.unwrap_or(&alone);
     let show = |stage, share| {

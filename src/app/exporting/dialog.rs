@@ -245,11 +245,13 @@ impl Dialog {
             }
             None if !self.preview.is_ready(request, context.grown) => match self.preview.needs(request) {
                 Some(needs) => {
-                    let times = if request.is_film() { 2.0 } else { 1.0 };
+                    let film = &request.choices.film;
+                    let frames = film.clip.frames(film.kind).map_or(0.0, |frames| frames as f64);
+                    let [times, pictures] = if request.is_film() { [2.0, frames] } else { [1.0, 1.0] };
                     let memory = size_of(needs.bytes as u64);
                     parts.push(format!(
                         "growing it takes {} and {memory} of memory",
-                        in_words(times * needs.seconds)
+                        in_words(times * needs.seconds + pictures * needs.finish)
                     ));
                 }
                 None => parts.push("it will be grown in the background".to_owned()),

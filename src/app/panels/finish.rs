@@ -27,8 +27,9 @@ pub fn finish(ui: &mut Ui, document: &Document) -> Option<Action> {
         ui.end_row();
         if let Some(finishing) = &mut now {
             size(ui, &mut finishing.finish);
-            if finishing.finish.kind.has_flow() {
-                direction(ui, &mut finishing.flow);
+            if finishing.finish.kind.has_flow() || finishing.flow.strokes() > 0 {
+                let has_flow = finishing.finish.kind.has_flow();
+                direction(ui, &mut finishing.flow, has_flow);
             }
         }
     });
@@ -39,13 +40,21 @@ fn kind(ui: &mut Ui, now: &mut Option<Finishing>) {
     let shown = now.as_ref().map_or(NONE, |finishing| finishing.finish.kind.name());
     let combo = ComboBox::from_id_salt("finish").selected_text(words(shown)).width(110.0);
     let combo = combo.show_ui(ui, |ui| {
-        if ui.selectable_label(now.is_none(), words(NONE)).clicked() {
+        let strokes = now.as_ref().map_or(0, |finishing| finishing.flow.strokes());
+        let none = match strokes {
+            0 => words(NONE),
+            1 => format!("{} (removes a stroke of hair)", words(NONE)),
+            _ => format!("{} (removes {strokes} strokes of hair)", words(NONE)),
+        };
+        if ui.selectable_label(now.is_none(), none).clicked() {
             *now = None;
         }
         for (name, kind) in FinishKind::NAMES {
             if ui.selectable_label(shown == name, words(name)).clicked() && shown != name {
                 let flow = now.take().map_or(FlowChoice::Usual, |finishing| finishing.flow);
-                let flow = if kind.has_flow() { flow } else { FlowChoice::Usual };
+                // Strokes are kept for a later finish with a direction.
+                let is_kept = kind.has_flow() || flow.strokes() > 0;
+                let flow = if is_kept { flow } else { FlowChoice::Usual };
                 *now = Some(Finishing { finish: Finish::new(kind), flow });
             }
         }
@@ -62,11 +71,15 @@ fn size(ui: &mut Ui, finish: &mut Finish) {
     ui.end_row();
 }
 
-fn direction(ui: &mut Ui, flow: &mut FlowChoice) {
+fn direction(ui: &mut Ui, flow: &mut FlowChoice, has_flow: bool) {
     let help = "The way from head to tail. Automatic: across stripes, otherwise to the left";
     ui.label("Direction").on_hover_text(help);
     if matches!(flow, FlowChoice::Strokes(_)) {
-        ui.label(RichText::new("along the strokes of its layer of hair").weak());
+        let text = match has_flow {
+            true => "along the strokes of its layer of hair",
+            false => "strokes of hair are kept for fur and scales",
+        };
+        ui.label(RichText::new(text).weak());
         ui.end_row();
         return;
     }

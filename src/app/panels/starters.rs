@@ -1,5 +1,5 @@
-//! What a new sketch can begin with: four small pictures in the row below sketch and texture, below an empty canvas, or at its lower
-//! edge.
+//! What a new sketch can begin with: small pictures in the row below sketch and texture, below an empty canvas, or at its lower edge,
+//! as many as have room.
 
 use egui::{
     Align2, Color32, FontId, Id, Rect, Role, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo,
@@ -28,14 +28,19 @@ enum Starter {
     Stripes,
     Animal,
     Cow,
+    /// The coat with this name, which has a finish.
+    Coat(&'static str),
 }
 
 impl Starter {
-    const ALL: [(Self, &'static str); 4] = [
+    const ALL: [(Self, &'static str); 7] = [
         (Self::Spots, "Spots"),
         (Self::Stripes, "Stripes"),
         (Self::Animal, "A leopard"),
         (Self::Cow, "A cow"),
+        (Self::Coat("tiger-coat"), "Tiger fur"),
+        (Self::Coat("jaguar-coat"), "Jaguar fur"),
+        (Self::Coat("ball-python-coat"), "Snake skin"),
     ];
 
     fn action(self) -> Action {
@@ -44,6 +49,7 @@ impl Starter {
             Self::Stripes => Action::Begin(Beginning::Stripes),
             Self::Animal => Action::Begin(Beginning::Example(ANIMAL)),
             Self::Cow => Action::Begin(Beginning::Cow),
+            Self::Coat(name) => Action::Begin(Beginning::Coat(name)),
         }
     }
 }
@@ -93,6 +99,7 @@ fn card(ui: &Ui, rect: Rect, starter: Starter, name: &str) -> bool {
         Starter::Stripes => "Draws four lines; their texture grows at once",
         Starter::Animal => "Draws spots and rings on two layers; their texture grows at once",
         Starter::Cow => "Fills the canvas with blotches; nothing has to be drawn",
+        Starter::Coat(_) => "A seamless tile of 640 × 640 px with a finish, on which a few marks are drawn",
     };
     response.on_hover_text(help).clicked()
 }
@@ -129,12 +136,8 @@ fn picture(ui: &Ui, rect: Rect, starter: Starter, colours: &Palette) {
                 );
             }
         }
-        Starter::Animal => {
-            if let Some(texture) = examples::thumbnail(ui.ctx(), ANIMAL) {
-                let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-                painter.image(texture.id(), rect, whole, Color32::WHITE);
-            }
-        }
+        Starter::Animal => example(ui, rect, ANIMAL),
+        Starter::Coat(name) => example(ui, rect, name),
         Starter::Cow => {
             let picture = small_picture::of_labels("random");
             if let Some(texture) = picture.and_then(|asset| assets::texture(ui.ctx(), asset)) {
@@ -143,5 +146,13 @@ fn picture(ui: &Ui, rect: Rect, starter: Starter, colours: &Palette) {
                 painter.image(texture.id(), rect, middle, Color32::WHITE);
             }
         }
+    }
+}
+
+/// The picture of an example.
+fn example(ui: &Ui, rect: Rect, name: &str) {
+    if let Some(texture) = examples::thumbnail(ui.ctx(), name) {
+        let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+        ui.painter_at(rect).image(texture.id(), rect, whole, Color32::WHITE);
     }
 }

@@ -123,6 +123,7 @@ impl Window {
             Beginning::Spots => self.session.add(&starter(size, true)),
             Beginning::Stripes => self.session.add(&starter(size, false)),
             Beginning::Example(name) => self.read_example(ui, name, ExampleUse::Begin),
+            Beginning::Coat(name) => self.read_example(ui, name, ExampleUse::Tile),
             Beginning::Cow => self.session.edit(|document| document.layers = vec![Layer::cow()]),
         }
         self.session.selection.clear();

@@ -23,6 +23,8 @@ pub enum ExampleUse {
     Open,
     /// For its marks, which an empty canvas gets.
     Begin,
+    /// For all that is on it, which replaces an empty canvas.
+    Tile,
 }
 
 /// An example that is being read.
@@ -72,7 +74,7 @@ impl Window {
                     .wrong("Reading the example failed because of an error in dapple. Please report it.");
             }
             Some(Err(why)) => self.notices.wrong(why),
-            Some(Ok(document)) if reading.wanted == ExampleUse::Begin => self.take_marks(document),
+            Some(Ok(document)) if reading.wanted != ExampleUse::Open => self.take(document, reading.wanted),
             // The user has drawn something in the meantime.
             Some(Ok(_)) if reading.revision != self.session.revision() && self.has_unsaved() => {
                 self.files.unsaved = Some(Action::Example(reading.example.name));
@@ -86,10 +88,14 @@ impl Window {
         }
     }
 
-    /// Puts the marks of an example on the canvas, which is empty unless the user has drawn something in the meantime.
-    fn take_marks(&mut self, document: Document) {
+    /// Puts the marks of an example, or all that is on it, on the canvas, which is empty unless the user has drawn something in
+    /// the meantime.
+    fn take(&mut self, document: Document, wanted: ExampleUse) {
         if self.session.is_empty() {
-            self.session.begin_with(document);
+            match wanted {
+                ExampleUse::Tile => self.session.begin_as(document),
+                ExampleUse::Open | ExampleUse::Begin => self.session.begin_with(document),
+            }
             self.session.selection.clear();
         }
     }

@@ -195,7 +195,7 @@ fn announce_time(args: &Args, tasks: &[Task], training: &Training) -> bool {
             estimate::Task { document, size, source, scale, machine: this_machine() }
         })
         .collect();
-    Estimate { training, quiet: args.quiet }.announce(&tasks, 1.0)
+    Estimate { training, quiet: args.quiet }.announce(&tasks, 1.0, 1.0)
 }
 
 /// Why a picture is missing, with the file's name once.

@@ -35,6 +35,16 @@ impl Session {
         self.edit(|document| document.layers = layers);
         self.active_layer = self.document().layers.len().saturating_sub(1);
     }
+
+    /// Takes size, edges, seed, layers and finish of `other`, whose maps and materials have sizes in px of its own canvas. Name and
+    /// resolution stay. The next [`Self::commit`] makes this a step that can be undone.
+    pub fn begin_as(&mut self, other: Document) {
+        self.edit(|document| {
+            let (name, dpi) = (std::mem::take(&mut document.name), document.dpi);
+            *document = Document { name, dpi, ..other };
+        });
+        self.active_layer = self.document().layers.len().saturating_sub(1);
+    }
 }
 
 #[cfg(test)]
@@ -42,6 +52,30 @@ mod tests {
     use super::*;
     use crate::grid::Edges;
     use crate::marks::Ellipse;
+
+    #[test]
+    fn a_tile_replaces_the_canvas_with_its_finish_and_one_undo_brings_it_back() {
+        let finish = Some(crate::document::Finish::new(crate::document::FinishKind::Fur).into());
+        let ellipse = Ellipse { center: [100.0, 50.0], radii: [10.0, 5.0], angle: 30.0 };
+        let layer = Layer { strokes: vec![Stroke::Ellipse(ellipse)], ..Layer::default() };
+        let size = [200, 100];
+        let tile = Document {
+            size,
+            edges: Edges::Wrap,
+            finish,
+            seed: 9,
+            layers: vec![layer],
+            ..Document::default()
+        };
+        let canvas =
+            Document { size: [400, 300], dpi: 150.0, name: "mine".to_owned(), ..Document::default() };
+        let mut session = Session::open(canvas.clone(), None);
+        session.begin_as(tile.clone());
+        session.commit();
+        assert_eq!(*session.document(), Document { dpi: 150.0, name: "mine".to_owned(), ..tile });
+        session.undo();
+        assert_eq!(*session.document(), canvas);
+    }
 
     #[test]
     fn the_layers_are_fitted_to_a_canvas_that_stays_and_one_undo_removes_them() {

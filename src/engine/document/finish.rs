@@ -39,6 +39,15 @@ pub enum FlowChoice {
 impl FlowChoice {
     /// The direction from head to tail where nothing says it, degrees: hair of cats lies so on photographs of their left side.
     pub const HEAD_TO_TAIL: f64 = 190.0;
+
+    /// The number of strokes of hair.
+    #[must_use]
+    pub fn strokes(&self) -> usize {
+        match self {
+            Self::Usual | Self::Angle(_) => 0,
+            Self::Strokes(strokes) => strokes.len(),
+        }
+    }
 }
 
 impl From<Finish> for Finishing {
@@ -150,10 +159,6 @@ pub(super) fn combined(
     }
     match hair {
         None => Ok(Some(finish)),
-        Some((place, _)) if !finish.finish.kind.has_flow() => {
-            let found = format!("a layer of hair with the finish {}", finish.finish.kind.name());
-            Err(Problem::new(place, found, with_flow()))
-        }
         Some((place, _)) if finish.flow != FlowChoice::Usual => {
             Err(Problem::new(place, "a layer of hair beside finish.flow", "one of the two"))
         }
@@ -213,6 +218,13 @@ mod tests {
     }
 
     #[test]
+    fn strokes_of_hair_are_kept_with_a_finish_without_a_direction() {
+        let document = parsed(r#""finish": {"kind": "cloth"},"#, HAIR).unwrap();
+        assert_eq!(document.finish.as_ref().unwrap().flow.strokes(), 1);
+        assert_eq!(Document::parse(&document.to_json(), "b").unwrap(), document);
+    }
+
+    #[test]
     fn what_a_finish_cannot_be_is_refused_with_the_reason() {
         let ellipse =
             r#", {"system": "hair", "strokes": [{"kind": "ellipse", "center": [30, 30], "radii": [8, 5]}]}"#;
@@ -221,7 +233,6 @@ mod tests {
             (r#""finish": {},"#, "", "no key \"kind\""),
             (r#""finish": {"kind": "fur", "size": 100},"#, "", "from 2 to 64 px"),
             (r#""finish": {"kind": "cloth", "flow": 30},"#, "", "only with fur"),
-            (r#""finish": {"kind": "cloth"},"#, HAIR, "only with fur"),
             (r#""finish": {"kind": "fur", "flow": 30},"#, HAIR, "one of the two"),
             (r#""finish": {"kind": "fur"}, "model": {"file": "sphere"},"#, "", "without \"model\""),
             ("", HAIR, "without a finish"),

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! seconds = Σ updates ÷ speed  +  px of the canvas · layers · RULER · painting  +  px of the picture · painting
+//! finish  = px of the picture, at least of the canvas · finish
 //! ```
 //!
 //! The engine gives the expected cell updates. Their speed, and that of painting a px, are measured on this machine, on a canvas of
@@ -56,8 +57,10 @@ impl Task<'_> {
 /// The time and the memory that a growth needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Needs {
-    /// Time on this machine at its current load, s.
+    /// Time on this machine at its current load, without the finish, s.
     pub seconds: f64,
+    /// Time of the finish of one picture, s; 0 without a finish.
+    pub finish: f64,
     /// Bytes of memory.
     pub bytes: f64,
 }
@@ -66,7 +69,7 @@ impl Needs {
     /// Estimates one growth. `None` if it cannot be planned, or does not fit into memory; the growth itself gives the reason.
     #[must_use]
     pub fn estimate(task: &Task, training: &Training) -> Option<Self> {
-        let mut needs = Self { seconds: 0.0, bytes: 0.0 };
+        let mut needs = Self { seconds: 0.0, finish: 0.0, bytes: 0.0 };
         let mut beneath: Option<LayerPlan> = None;
         for index in 0..task.document.layers.len() {
             let plan = needs.add_layer(task, index, training, beneath.as_ref())?;
@@ -99,6 +102,9 @@ impl Needs {
         self.seconds += times * seconds(trial.work, clock);
         let look = Snapshot { beneath: &[], growing: trial.look.seen() };
         self.seconds += painted(document, &look, clock) * (canvas * RULER + picture);
+        if index + 1 == document.layers.len() {
+            self.finish = finished(document, &look, clock) * canvas.max(picture);
+        }
         Some(plan)
     }
 }
@@ -126,4 +132,17 @@ fn painted(document: &Document, look: &Snapshot, clock: Clock) -> f64 {
     // Discarded: only the time counts.
     let _ = png::rgb8(std::io::sink(), PAINTED, None, &rgb);
     (clock() - started).as_secs_f64() / (PAINTED[0] * PAINTED[1]) as f64
+}
+
+/// Seconds of the finish of `document` for a px; 0 if it has none.
+fn finished(document: &Document, look: &Snapshot, clock: Clock) -> f64 {
+    let size = look.growing.canvas.map(|side| (side.round() as usize).max(1));
+    let painting = Painting::growing(document, look, size).with_finish(document);
+    if !painting.has_finish() {
+        return 0.0;
+    }
+    let started = clock();
+    // Discarded: only the time counts.
+    let _ = painting.rgb();
+    (clock() - started).as_secs_f64() / (size[0] * size[1]) as f64
 }

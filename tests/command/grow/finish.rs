@@ -143,9 +143,6 @@ fn what_a_finish_cannot_do_is_refused_or_said() {
     body["model"] = json!({"file": "sphere"});
     folder.write("b.dapple", &body.to_string());
     folder.refuses("grow b.dapple -o b.png", 1, &["finish", "without \"model\""]);
-    let output = folder.dapple("film a.dapple -o a.gif --side 32 --seconds 0.3").assert().success();
-    let said = String::from_utf8(output.get_output().stderr.clone()).unwrap();
-    assert!(said.contains("without its finish, fur"), "{said}");
 }
 
 #[test]
@@ -185,4 +182,55 @@ fn the_coats_are_formatted_as_the_program_writes_them_and_each_has_a_finish_and_
         count += 1;
     }
     assert_eq!(count, 17);
+}
+
+#[test]
+fn each_frame_of_a_film_has_the_finish_and_the_last_one_is_the_picture() {
+    let folder = Folder::with(&with_finish(tile(), "fur"));
+    folder.write("plain.dapple", &tile().to_string());
+    folder.grow("-o a.png");
+    for (file, to, options) in [
+        ("a", "one", "--side 96 --threads 1"),
+        ("a", "three", "--side 96 --threads 3"),
+        ("plain", "without", "--side 96"),
+        ("a", "small", "--side 48"),
+    ] {
+        let film = format!("film {file}.dapple -o {to} --seconds 0.3 {options}");
+        folder.dapple(&film).assert().success();
+    }
+    let frame = |film: &str, number: usize| {
+        let bytes = folder.bytes(&format!("{film}/frame-{number:04}.png"));
+        image::load_from_memory(&bytes).unwrap().into_rgb8().into_raw()
+    };
+    let picture = image::load_from_memory(&folder.bytes("a.png")).unwrap().into_rgb8().into_raw();
+    assert!(frame("one", 6) == picture, "the last frame");
+    for number in 1..=6 {
+        assert!(frame("one", number) == frame("three", number), "{number}: as with other threads");
+        let moved = frame("one", number)
+            .iter()
+            .zip(frame("without", number))
+            .filter(|(a, b)| a.abs_diff(*b) > 8)
+            .count();
+        assert!(moved > 96 * 96, "{number}: {moved} of {} values differ", 3 * 96 * 96);
+    }
+    // The mean of a smaller frame is that of the picture.
+    let mean = |rgb: &[u8]| rgb.iter().map(|part| f64::from(*part)).sum::<f64>() / rgb.len() as f64;
+    assert!((mean(&frame("small", 6)) - mean(&picture)).abs() < 8.0);
+}
+
+#[test]
+fn a_document_of_one_finish_changes_into_one_of_another_in_a_film() {
+    let plain = document([96, 96], &json!([{"kind": "line", "from": [10, 20], "to": [80, 24], "width": 9}]));
+    let folder = Folder::with(&with_finish(plain.clone(), "fur"));
+    folder.write("b.dapple", &with_finish(plain.clone(), "leather").to_string());
+    folder.write("plain.dapple", &plain.to_string());
+    for (from, to, film) in [("a", "b", "changing"), ("plain", "plain", "without")] {
+        let film = format!("film {from}.dapple --to {to}.dapple -o {film} --side 96 --seconds 0.3");
+        folder.dapple(&film).assert().success();
+    }
+    for number in [1, 6] {
+        let [changing, without] =
+            ["changing", "without"].map(|film| folder.bytes(&format!("{film}/frame-000{number}.png")));
+        assert!(changing != without, "{number}");
+    }
 }

@@ -1,6 +1,6 @@
 //! Outlines.
 
-use egui::{DragValue, Ui};
+use egui::{DragValue, RichText, Ui};
 
 use super::ExportContext;
 use super::{layer, named, number, rows, size, yes};
@@ -11,6 +11,10 @@ use crate::export::outline::Hatch;
 /// The choices.
 pub fn page(ui: &mut Ui, choices: &mut Choices, context: &ExportContext) {
     let dpi = context.request.document.dpi * f64::from(choices.size.scale);
+    if let Some(finishing) = &context.request.document.finish {
+        let kind = finishing.finish.kind.name();
+        ui.label(RichText::new(format!("Outlines are those without the finish, {kind}.")).weak());
+    }
     rows(ui, "outlines", |ui| {
         named(ui, "Format", "SVG for drawing programs; DXF (release 12) for cutters and CAD");
         ui.horizontal(|ui| {

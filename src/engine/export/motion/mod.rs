@@ -2,6 +2,9 @@
 
 pub mod apng;
 pub mod gif;
+mod median_cut;
+
+pub use median_cut::median_cut;
 
 use super::Stopped;
 

@@ -4,7 +4,8 @@ use crate::document::Document;
 use crate::export::ExportError;
 use crate::export::motion::{COLOURS, Film, Kind};
 use crate::synth::error::GrowError;
-use crate::synth::render::film::{fitted, palette};
+use crate::synth::render::film::fitted;
+use crate::synth::render::palette::palette;
 
 /// Default number of px of the longer side of a frame: films are usually watched small.
 pub const SIDE: u32 = 480;

@@ -14,7 +14,7 @@ use crate::export::{Stopped, downscale};
 use crate::synth::error::GrowError;
 use crate::synth::growth::{Grown, Growth, Progress, Snapshot};
 use crate::synth::options::Options;
-use crate::synth::render::painting::{Painting, gradient_of};
+use crate::synth::render::painting::Painting;
 use crate::synth::watch::{Stage, Watch};
 
 /// Normalised time between two moments: a growth takes 20–100 of it on its coarsest grid, and changes most within 10.
@@ -187,7 +187,8 @@ impl Takes {
             if self.frames[shown] != moment {
                 continue;
             }
-            let picture = painted(&|size| Painting::growing(document, &look, size), self.grown.size, size);
+            let paint = |size| Painting::growing(document, &look, size).with_finish(document);
+            let picture = painted(&paint, self.grown.size, size);
             while self.frames.get(shown) == Some(&moment) {
                 show(&picture)?;
                 shown += 1;
@@ -197,8 +198,7 @@ impl Takes {
         if (watch.cancelled)() {
             return Err(Stopped::Cancelled.into());
         }
-        let settled =
-            painted(&|size| Painting::sized(document, &self.grown, size).unfinished(), self.grown.size, size);
+        let settled = painted(&|size| Painting::sized(document, &self.grown, size), self.grown.size, size);
         Ok(show(&settled)?)
     }
 }
@@ -216,46 +216,19 @@ pub(super) fn painted<'a>(
     canvas: [u32; 2],
     size: [usize; 2],
 ) -> Vec<u8> {
+    let plain = paint(size);
     let finer = (canvas[0].max(canvas[1]) as usize).div_ceil(size[0].max(size[1])).clamp(1, FINEST);
     if finer == 1 {
-        return paint(size).rgb();
+        return plain.rgb();
     }
-    let fine = size.map(|side| side * finer);
+    // A finish is painted at the size of the canvas where the picture is smaller: no finer one is needed.
+    let fine =
+        if plain.has_finish() { canvas.map(|side| side as usize) } else { size.map(|side| side * finer) };
     downscale(&paint(fine).rgb(), fine, size)
 }
 
 /// Largest factor by which small pictures are painted finer.
 const FINEST: usize = 3;
-
-/// Up to `most` colours for films of these documents: evenly spaced in the colours of their visible layers, and between those of
-/// the first and the last document.
-#[must_use]
-pub fn palette(documents: &[&Document], most: usize) -> Vec<[u8; 3]> {
-    let tables = |document: &Document| {
-        let layers = document.layers.iter().enumerate().filter(|(_, layer)| layer.visible);
-        layers.map(|(index, layer)| gradient_of(layer, index).table()).collect::<Vec<_>>()
-    };
-    let (Some(first), Some(last)) = (documents.first(), documents.last()) else { return Vec::new() };
-    let (first, last) = (tables(first), tables(last));
-    let stations = if documents.len() > 1 { STATIONS } else { 1 };
-    let layers = first.len().max(1);
-    let shades = (most / (layers * stations)).max(2);
-    let mut colours = Vec::with_capacity(most);
-    for (a, b) in first.iter().zip(&last) {
-        for station in 0..stations {
-            let share = station as f64 / (stations.max(2) - 1) as f64;
-            let shade = |k: usize| k as f32 / (shades - 1) as f32;
-            colours.extend((0..shades).map(|k| mixed(a.colour(shade(k)), b.colour(shade(k)), share)));
-        }
-    }
-    colours.sort_unstable();
-    colours.dedup();
-    colours.truncate(most);
-    colours
-}
-
-/// Colours between those of two documents.
-const STATIONS: usize = 8;
 
 /// The colour that is `share` of the way from `a` to `b`.
 pub(super) fn mixed(a: [u8; 3], b: [u8; 3], share: f64) -> [u8; 3] {

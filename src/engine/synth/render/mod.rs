@@ -6,3 +6,4 @@ pub mod lit;
 pub mod morph;
 pub mod outlining;
 pub mod painting;
+mod palette;

@@ -227,7 +227,9 @@ impl<'a> Morph<'a> {
     fn paint(&self, plan: &Plan, marks: &Field, share: f64, size: [usize; 2]) -> Vec<u8> {
         let canvas = self.documents[0].size;
         let [mut from, to] = self.documents.map(|document| {
-            painted(&|size| Painting::from_marks(document, plan, marks.clone(), size), canvas, size)
+            let paint =
+                |size| Painting::from_marks(document, plan, marks.clone(), size).with_finish(document);
+            painted(&paint, canvas, size)
         });
         for (a, b) in from.chunks_exact_mut(3).zip(to.chunks_exact(3)) {
             a.copy_from_slice(&mixed([a[0], a[1], a[2]], [b[0], b[1], b[2]], share));

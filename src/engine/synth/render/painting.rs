@@ -50,7 +50,7 @@ pub struct Painting<'a> {
     visible: Vec<bool>,
     /// Layers whose marks are replaced by those of the next one; they cover nothing.
     replaced: Vec<bool>,
-    /// The finish of the document; none of a pattern that still grows.
+    /// The finish of the document; none of a pattern that still grows, but for [`Self::with_finish`].
     finish: Option<Applied>,
 }
 

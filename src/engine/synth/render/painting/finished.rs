@@ -43,6 +43,12 @@ impl Painting<'_> {
         Self { finish: None, ..self }
     }
 
+    /// The painting with the finish of `document`, if that has one: also of a pattern that still grows.
+    #[must_use]
+    pub fn with_finish(self, document: &Document) -> Self {
+        Self { finish: Applied::of(document, self.canvas), ..self }
+    }
+
     /// Whether it has a finish.
     #[must_use]
     pub fn has_finish(&self) -> bool {
