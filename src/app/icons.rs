@@ -16,6 +16,8 @@ pub enum Icon {
     Line,
     /// Eraser.
     Eraser,
+    /// Comb.
+    Comb,
     /// Pan.
     Hand,
     /// Undo.
@@ -94,6 +96,7 @@ impl Icon {
             Self::Ellipse => &[Oval([10.0, 10.0, 7.0, 4.6, -0.45])],
             Self::Line => &[Path(&[[4.5, 15.5], [15.5, 4.5]]), Dot([4.5, 15.5, 1.9]), Dot([15.5, 4.5, 1.9])],
             Self::Eraser => ERASER,
+            Self::Comb => COMB,
             Self::Hand => HAND,
             Self::Undo => UNDO,
             Self::Redo => REDO,
@@ -191,6 +194,13 @@ const ERASER: &[Part] = &[
     Closed(&[[3.5, 12.5], [11.5, 4.5], [16.0, 9.0], [9.5, 15.5], [6.5, 15.5]]),
     Path(&[[7.5, 8.5], [12.0, 13.0]]),
     Path(&[[11.0, 15.5], [16.5, 15.5]]),
+];
+const COMB: &[Part] = &[
+    Path(&[[3.5, 6.0], [16.5, 6.0]]),
+    Path(&[[4.5, 6.0], [4.5, 15.0]]),
+    Path(&[[8.2, 6.0], [8.2, 15.0]]),
+    Path(&[[11.8, 6.0], [11.8, 15.0]]),
+    Path(&[[15.5, 6.0], [15.5, 15.0]]),
 ];
 const HAND: &[Part] = &[
     Path(&[[10.0, 3.0], [10.0, 17.0]]),

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+mod combing;
 mod drawing;
 mod far_spacing;
 mod layers;

@@ -100,7 +100,7 @@ impl TexturedBody<'_> {
     }
 
     fn set<'b>(&self, name: &'b str) -> Set<'b> {
-        Set { name, size: self.size, deep: self.deep, transparent: false, dpi: None }
+        Set { name, size: self.size, deep: self.deep, transparent: false, anisotropic: false, dpi: None }
     }
 
     fn skin<'b>(&self, [base_colour, normal, orm]: [SkinPicture<'b>; 3]) -> Skin<'b> {

@@ -7,6 +7,7 @@ mod alternatives;
 mod clipboard;
 mod colour;
 mod columns;
+mod combing;
 mod documents;
 mod drawing;
 mod exporting;

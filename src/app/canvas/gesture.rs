@@ -15,6 +15,8 @@ use crate::sketch::recognise;
 
 /// The pointer picks a mark within this distance, points.
 pub const REACH: f64 = 6.0;
+/// Half the width of erasers, points.
+const ERASER: f64 = 5.0;
 /// A drag shorter than this is a click, points.
 const CLICK: f64 = 3.0;
 
@@ -44,6 +46,10 @@ pub enum Gesture {
     },
     /// Dragging a handle: the handle, where it was pressed, the marks before.
     Pull(Handle, [f64; 2], Vec<(Place, Mark)>),
+    /// Combing hair: the points so far.
+    Comb(Vec<[f64; 2]>),
+    /// Erasing strokes of hair: the last point.
+    Uncomb([f64; 2]),
     /// Erasing: the last point.
     Erase([f64; 2]),
     /// Moving or scaling the reference picture: the part that is dragged, where it was pressed, and the placement
@@ -123,6 +129,11 @@ pub fn press(
             erase(session, [hand.at; 2], hand.zoom);
             Gesture::Erase(hand.at)
         }
+        Tool::Comb if hand.copy => {
+            session.uncomb([hand.at; 2], ERASER / hand.zoom);
+            Gesture::Uncomb(hand.at)
+        }
+        Tool::Comb => Gesture::Comb(vec![hand.at]),
         Tool::Select => match handle {
             Some(handle) => Gesture::Pull(handle, hand.at, session.selected().collect()),
             None => select(session, hand),
@@ -153,7 +164,7 @@ impl Gesture {
     pub fn advance(&mut self, session: &mut Session, hand: Hand) {
         match self {
             Self::Pan(_) | Self::Reference(..) => {}
-            Self::Pen(points) => {
+            Self::Pen(points) | Self::Comb(points) => {
                 // A distance of less than half a point on the screen is noise.
                 let far = points
                     .last()
@@ -193,6 +204,10 @@ impl Gesture {
                 };
                 session.replace(&handles::pulled(*handle, marks, ends, hand.shift));
             }
+            Self::Uncomb(last) => {
+                session.uncomb([*last, hand.at], ERASER / hand.zoom);
+                *last = hand.at;
+            }
             Self::Erase(last) => {
                 erase(session, [*last, hand.at], hand.zoom);
                 *last = hand.at;
@@ -208,6 +223,10 @@ impl Gesture {
                 let mark =
                     recognise(&points, nib.width).filter(|_| points.iter().any(|p| far([points[0], *p])))?;
                 return Some(DrawnStroke { mark, points });
+            }
+            Self::Comb(points) if points.iter().any(|point| far([points[0], *point])) => {
+                // Whether it did shows in the sketch.
+                let _ = session.comb(&points);
             }
             Self::Ellipse(ends) if far(ends) => {
                 let ellipse = between(ends)?;
@@ -288,15 +307,13 @@ fn within(session: &Session, [from, to]: [[f64; 2]; 2]) -> Vec<Place> {
 
 /// Deletes the marks that the eraser touches between two points.
 fn erase(session: &mut Session, [from, to]: [[f64; 2]; 2], zoom: f64) {
-    /// Half the eraser's width, points.
-    const REACH: f64 = 5.0;
     let length = (to[0] - from[0]).hypot(to[1] - from[1]) * zoom;
-    let steps = (length / REACH).ceil().max(1.0) as usize;
+    let steps = (length / ERASER).ceil().max(1.0) as usize;
     let mut gone: Vec<Place> = Vec::new();
     for step in 0..=steps {
         let t = step as f64 / steps as f64;
         let at = [0, 1].map(|axis| from[axis] + t * (to[axis] - from[axis]));
-        gone.extend(session.hit(at, REACH / zoom));
+        gone.extend(session.hit(at, ERASER / zoom));
     }
     gone.sort_unstable();
     gone.dedup();

@@ -2,6 +2,7 @@
 
 pub mod analysis;
 pub mod badges;
+mod comb;
 mod gesture;
 mod handles;
 pub mod ink;
@@ -38,6 +39,7 @@ use crate::marks::Mark;
 use crate::sketch::recognise;
 use analysis::Analysis;
 use badges::Badge;
+use comb::Combed;
 use gesture::{DrawnStroke, Gesture};
 use reference::Reference;
 use tool::Tool;
@@ -109,6 +111,8 @@ pub struct Canvas {
     pub remark: Option<String>,
     /// A mark of a kind that the active layer does not hold: the user is to be asked whether it gets a new layer.
     pub question: Option<DrawnStroke>,
+    /// The flow of the finish, while it is combed.
+    combed: Combed,
     /// Signs at places that do not grow as they were drawn.
     pub badges: Vec<Badge>,
     /// Strokes that were recognised, and when, seconds.
@@ -145,6 +149,7 @@ impl Default for Canvas {
             room: Rect::ZERO,
             remark: None,
             question: None,
+            combed: Combed::default(),
             badges: Vec::new(),
             fading: Vec::new(),
             between_frames: Duration::ZERO,
@@ -220,6 +225,9 @@ impl Canvas {
         self.cursor(ui, &response, room, session);
         navigate(ui, &response, room, &mut self.view, self.wheel, false);
         self.analysis.update(session);
+        if self.tool == Tool::Comb {
+            self.combed.update(session.document());
+        }
         let changed = Drawn::default();
         let drawn = if session.revision() == revision { drawn } else { &changed };
         self.hovered =

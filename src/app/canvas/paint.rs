@@ -54,6 +54,9 @@ impl Canvas {
         if self.overlays.analysis {
             self.analysis.paint(&ink, session, session.active_layer, colours);
         }
+        if self.tool == Tool::Comb {
+            self.combed.paint(&ink, session, colours);
+        }
         if session.is_empty() && self.gesture.is_none() {
             starter::paint(&ink, session.document().size, colours, ui.visuals().weak_text_color());
         }
@@ -163,7 +166,7 @@ impl Canvas {
     /// Paints the gesture under way.
     fn paint_gesture(&self, ui: &Ui, ink: &Ink, ruler: Ruler, colours: &Palette) {
         match &self.gesture {
-            Some(Gesture::Pen(points)) => {
+            Some(Gesture::Pen(points) | Gesture::Comb(points)) => {
                 let width = (self.pressed_nib().width as f32 * ink.view.zoom).clamp(1.5, 3.0);
                 ink.path(points, Stroke::new(width, colours.pen));
             }

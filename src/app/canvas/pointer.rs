@@ -13,6 +13,9 @@ use crate::editor::session::Session;
 
 /// The message when the user draws on a frozen layer.
 pub const FROZEN: &str = "This layer is frozen. Click its snowflake to unfreeze it, or select another layer.";
+/// The message when the user combs a finish without hair or scales.
+const NO_HAIR: &str =
+    "Nothing to comb: choose fur or scales as the material of the texture first, below the colours.";
 /// A press that moves less than this is a click, points.
 const CLICK: f32 = 3.0;
 /// A finger that stays for so long rests, seconds.
@@ -142,9 +145,13 @@ impl Canvas {
         let pressed = self.pressed_nib();
         let mut nib = pressed;
         self.pressure = Pressure::default();
+        let is_combed = matches!(gesture, Gesture::Comb(_));
         let drawn = gesture.release(session, &mut nib, hand);
         if nib.radii != pressed.radii {
             self.nib.radii = nib.radii;
+        }
+        if is_combed && !session.can_comb() {
+            self.remark = Some(NO_HAIR.to_owned());
         }
         if let Some(drawn) = drawn
             && !session.add_outline(&drawn.points)

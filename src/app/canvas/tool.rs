@@ -18,13 +18,16 @@ pub enum Tool {
     Line,
     /// Deletes the marks that it touches.
     Eraser,
+    /// Draws strokes that hair and scales follow.
+    Comb,
     /// Moves the view.
     Hand,
 }
 
 impl Tool {
     /// All tools, in order.
-    pub const ALL: [Self; 6] = [Self::Select, Self::Pen, Self::Ellipse, Self::Line, Self::Eraser, Self::Hand];
+    pub const ALL: [Self; 7] =
+        [Self::Select, Self::Pen, Self::Ellipse, Self::Line, Self::Eraser, Self::Comb, Self::Hand];
 
     /// Its name.
     #[must_use]
@@ -35,6 +38,7 @@ impl Tool {
             Self::Ellipse => "Ellipse",
             Self::Line => "Line",
             Self::Eraser => "Eraser",
+            Self::Comb => "Comb",
             Self::Hand => "Pan",
         }
     }
@@ -58,6 +62,10 @@ impl Tool {
             }
             Self::Line => "Drag from end to end; Shift limits the angle to steps of 15°.",
             Self::Eraser => "Drag over marks to erase them.",
+            Self::Comb => {
+                "Drag from head to tail: hair and scales follow the stroke, and turn between strokes. Alt-drag or Ctrl-drag \
+                 erases strokes."
+            }
             Self::Hand => "Drag the view. With any tool: drag with the middle button, or hold Space.",
         })
     }
@@ -71,6 +79,7 @@ impl Tool {
             Self::Ellipse => Icon::Ellipse,
             Self::Line => Icon::Line,
             Self::Eraser => Icon::Eraser,
+            Self::Comb => Icon::Comb,
             Self::Hand => Icon::Hand,
         }
     }

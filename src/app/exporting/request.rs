@@ -197,6 +197,7 @@ impl ExportRequest {
             size,
             deep: choices.deep,
             transparent: choices.transparent || !painting.is_opaque(),
+            anisotropic: painting.is_anisotropic(),
             dpi: Some(self.document.dpi * f64::from(self.choices.size.scale)),
         };
         let relief = choices.relief_of(&self.document);

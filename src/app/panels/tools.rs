@@ -15,14 +15,17 @@ pub fn tools(ui: &mut Ui, current: Tool, session: &Session) -> Option<Action> {
     let size = vec2(36.0, 34.0);
     ui.spacing_mut().item_spacing.y = 4.0;
     ui.vertical_centered(|ui| {
-        for tool in Tool::ALL {
+        // Only hair and scales are combed.
+        let is_shown = |tool: &Tool| *tool != Tool::Comb || current == Tool::Comb || session.can_comb();
+        for tool in Tool::ALL.into_iter().filter(is_shown) {
             if tool == Tool::Eraser || tool == Tool::Pen {
                 ui.add_space(4.0);
             }
             let button = tool.icon().sized_button(ui, tool.name(), tool == current, size);
             let keys = shortcuts::shortcut_text(ui.ctx(), &Action::Tool(tool)).unwrap_or_default();
             let button = button.on_hover_ui(|ui| {
-                ui.strong(format!("{} ({keys})", tool.name()));
+                let keys = if keys.is_empty() { keys } else { format!(" ({keys})") };
+                ui.strong(format!("{}{keys}", tool.name()));
                 ui.label(tool.help(closed));
             });
             if button.clicked() {

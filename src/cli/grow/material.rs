@@ -115,6 +115,7 @@ impl Material {
             size: painting.size,
             deep: style.deep,
             transparent: style.transparent || !painting.is_opaque(),
+            anisotropic: painting.is_anisotropic(),
             dpi: Some(style.dpi),
         };
         let making = self.making(document, extent, style.transparent);

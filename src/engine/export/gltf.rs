@@ -20,6 +20,8 @@ pub struct Plane<'a> {
     pub normal: &'a str,
     /// The picture of occlusion, roughness and metalness.
     pub orm: &'a str,
+    /// The picture of the direction of reflections, if they have one (KHR_materials_anisotropy).
+    pub anisotropy: Option<&'a str>,
     /// The file for the bytes of [`Self::buffer`].
     pub buffer: &'a str,
 }
@@ -57,6 +59,14 @@ impl Plane<'_> {
         let [x, z] = self.half();
         // 10497 = repeat, 33071 = clamp to edge.
         let beyond = if self.wraps { 10_497 } else { 33_071 };
+        let (mut used, mut extension, mut texture, mut image) = <(String, String, String, String)>::default();
+        if let Some(file) = self.anisotropy {
+            "\n  \"extensionsUsed\": [\"KHR_materials_anisotropy\"],".clone_into(&mut used);
+            ",\n    \"extensions\": {\"KHR_materials_anisotropy\": {\"anisotropyStrength\": 1.0, \"anisotropyTexture\": {\"index\": 3}}}"
+                .clone_into(&mut extension);
+            ", {\"sampler\": 0, \"source\": 3}".clone_into(&mut texture);
+            image = format!(", {{\"uri\": \"{file}\"}}");
+        }
         let opacity = if self.transparent { "\"BLEND\"" } else { "\"OPAQUE\"" };
         let views: Vec<String> = (0..5)
             .map(|view| {
@@ -70,7 +80,7 @@ impl Plane<'_> {
             .collect();
         format!(
             r#"{{
-  "asset": {{"version": "2.0", "generator": "dapple {version}"}},
+  "asset": {{"version": "2.0", "generator": "dapple {version}"}},{used}
   "scene": 0,
   "scenes": [{{"name": "{name}", "nodes": [0]}}],
   "nodes": [{{"name": "{name}", "mesh": 0}}],
@@ -87,11 +97,11 @@ impl Plane<'_> {
     }},
     "normalTexture": {{"index": 1}},
     "occlusionTexture": {{"index": 2}},
-    "alphaMode": {opacity}
+    "alphaMode": {opacity}{extension}
   }}],
-  "textures": [{{"sampler": 0, "source": 0}}, {{"sampler": 0, "source": 1}}, {{"sampler": 0, "source": 2}}],
+  "textures": [{{"sampler": 0, "source": 0}}, {{"sampler": 0, "source": 1}}, {{"sampler": 0, "source": 2}}{texture}],
   "samplers": [{{"magFilter": 9729, "minFilter": 9987, "wrapS": {beyond}, "wrapT": {beyond}}}],
-  "images": [{{"uri": "{base_colour}"}}, {{"uri": "{normal}"}}, {{"uri": "{orm}"}}],
+  "images": [{{"uri": "{base_colour}"}}, {{"uri": "{normal}"}}, {{"uri": "{orm}"}}{image}],
   "accessors": [
     {{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [{left}, 0.0, {far}], "max": [{x}, 0.0, {z}]}},
     {{"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3"}},
@@ -128,10 +138,18 @@ mod tests {
             base_colour: "c.png",
             normal: "n.png",
             orm: "o.png",
+            anisotropy: Some("d.png"),
             buffer: "a.bin",
         };
         let bytes = plane.buffer();
         assert_eq!(bytes.len(), OFFSETS[5]);
+        let json: serde_json::Value = serde_json::from_str(&plane.text()).unwrap();
+        let shine = &json["materials"][0]["extensions"]["KHR_materials_anisotropy"];
+        let image =
+            &json["textures"][shine["anisotropyTexture"]["index"].as_u64().unwrap() as usize]["source"];
+        assert_eq!(json["images"][image.as_u64().unwrap() as usize]["uri"], "d.png");
+        let plain = Plane { anisotropy: None, ..plane.clone() }.text();
+        assert!(!plain.contains("KHR_") && serde_json::from_str::<serde_json::Value>(&plain).is_ok());
         let read = ::gltf::Gltf::from_slice(plane.text().as_bytes()).unwrap();
         let mesh = read.meshes().next().unwrap();
         let primitive = mesh.primitives().next().unwrap();

@@ -31,11 +31,14 @@ pub enum Map {
     MaskMap,
     /// A flat colour for the marks of each layer, black for the ground.
     Id,
+    /// The direction in which reflections are stretched, red = x and green = y, up in the picture, 0..1 for −1..1; blue: how far. Only
+    /// of materials with such.
+    Anisotropy,
 }
 
 impl Map {
     /// All maps.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::BaseColour,
         Self::Opacity,
         Self::Height,
@@ -46,6 +49,7 @@ impl Map {
         Self::Orm,
         Self::MaskMap,
         Self::Id,
+        Self::Anisotropy,
     ];
 
     /// The suffix of its file name; docs/materials.md lists the engines that recognise it.
@@ -62,6 +66,7 @@ impl Map {
             Self::Orm => "ORM",
             Self::MaskMap => "MaskMap",
             Self::Id => "ID",
+            Self::Anisotropy => "Anisotropy",
         }
     }
 
@@ -81,7 +86,7 @@ impl Map {
             Self::Opacity | Self::Roughness | Self::Occlusion => Samples::Gray8,
             Self::Orm => Samples::Rgb8,
             Self::MaskMap => Samples::Rgba8,
-            Self::Id => Samples::Rgb8,
+            Self::Id | Self::Anisotropy => Samples::Rgb8,
         }
     }
 
@@ -137,6 +142,8 @@ pub struct Set<'a> {
     pub deep: bool,
     /// Whether the ground or another colour is transparent.
     pub transparent: bool,
+    /// Whether reflections have a direction: those of hair.
+    pub anisotropic: bool,
     /// px an inch.
     pub dpi: Option<f64>,
 }
@@ -145,7 +152,12 @@ impl Set<'_> {
     /// Its maps.
     #[must_use]
     pub fn maps(&self) -> Vec<Map> {
-        Map::ALL.into_iter().filter(|map| *map != Map::Opacity || self.transparent).collect()
+        let is_written = |map: &Map| match map {
+            Map::Opacity => self.transparent,
+            Map::Anisotropy => self.anisotropic,
+            _ => true,
+        };
+        Map::ALL.into_iter().filter(is_written).collect()
     }
 }
 
@@ -240,7 +252,14 @@ mod tests {
 
     #[test]
     fn the_error_names_the_file_that_failed() {
-        let set = Set { name: "a", size: [300, 200], deep: false, transparent: false, dpi: None };
+        let set = Set {
+            name: "a",
+            size: [300, 200],
+            deep: false,
+            transparent: false,
+            anisotropic: false,
+            dpi: None,
+        };
         // At the head, among the rows, at the end.
         for (full, room) in [(3, 10), (5, 4_000), (8, 120)] {
             let mut disks: Vec<Disk> =

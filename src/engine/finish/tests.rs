@@ -260,3 +260,41 @@ fn a_canvas_without_marks_and_a_canvas_of_one_px_are_finished() {
         }
     }
 }
+
+/// Prints the table of docs/finish.md: what each finish costs and moves at three scales.
+#[test]
+#[ignore = "measures for docs/finish.md; it takes a minute"]
+fn the_cost_of_a_px_and_what_moves_by_scale() {
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let nanoseconds = |px: usize, work: &(dyn Fn() + Sync)| {
+        // The least of several: other programs only make it longer.
+        let timed = |_| {
+            let started = std::time::Instant::now();
+            one.install(work);
+            started.elapsed().as_secs_f64()
+        };
+        1e9 * (0..7).map(timed).fold(f64::INFINITY, f64::min) / px as f64
+    };
+    println!("finish | scale | ns a px | of them paint | plain ns a px | ink % | marks | moved %");
+    for finish in every() {
+        for scale in [1, 2, 4] {
+            of(finish, scale, |source| {
+                let px = source.labels.len();
+                let paint = nanoseconds(px, &|| drop(finish.surfels(source)));
+                let whole = nanoseconds(px, &|| drop(finish.paint(source)));
+                let plain = nanoseconds(px, &|| drop(finish.shaded_plainly(source)));
+                let mask = finish.paint(source).mask;
+                let [[pieces, ink], [drawn, wanted]] =
+                    [&mask[..], source.labels].map(|mask| counted(mask, source.size));
+                let moved = mask.iter().zip(source.labels).filter(|(a, b)| (**a > 0) != (**b > 0)).count();
+                let percent = |part: f64| 100.0 * part / wanted as f64;
+                println!(
+                    "{} | {scale} | {whole:.0} | {paint:.0} | {plain:.0} | {:+.2} | {drawn} → {pieces} | {:.0}",
+                    finish.kind.name(),
+                    percent(ink as f64 - wanted as f64),
+                    percent(moved as f64),
+                );
+            });
+        }
+    }
+}

@@ -234,3 +234,26 @@ fn a_document_of_one_finish_changes_into_one_of_another_in_a_film() {
         assert!(changing != without, "{number}");
     }
 }
+
+#[test]
+fn the_material_of_fur_has_reflections_across_the_hair_and_that_of_leather_none() {
+    let mut furry = with_finish(tile(), "fur");
+    // Towards +x and up the picture.
+    furry["finish"]["flow"] = json!(-30);
+    let folder = Folder::with(&furry);
+    folder.write("b.dapple", &with_finish(tile(), "leather").to_string());
+    folder.grow("--material fur");
+    folder.dapple("grow b.dapple --material leather").assert().success();
+    let map = image::load_from_memory(&folder.bytes("fur/a_Anisotropy.png")).unwrap().into_rgb8();
+    assert_eq!(map.dimensions(), (96, 96));
+    for px in map.pixels() {
+        let [x, y] = [px[0], px[1]].map(|part| f64::from(part) / 127.5 - 1.0);
+        let (cos, up) = (30_f64.to_radians().cos(), 30_f64.to_radians().sin());
+        assert!((x * cos + y * up).abs() < 0.02 && (x * x + y * y - 1.0).abs() < 0.02, "{px:?}");
+        assert!(px[2] > 100);
+    }
+    let text = |path: &str| String::from_utf8(folder.bytes(path)).unwrap();
+    assert!(text("fur/a.gltf").contains("a_Anisotropy.png"));
+    assert!(!text("leather/b.gltf").contains("Anisotropy"));
+    assert!(!folder.path("leather/b_Anisotropy.png").exists());
+}

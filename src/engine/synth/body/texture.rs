@@ -244,6 +244,10 @@ impl Relief {
             Map::MaskMap => {
                 fill(bytes, false, texels().flat_map(|(open, rough)| [0.0, *open, 0.0, 1.0 - *rough]));
             }
+            // Bodies have no finish: reflections have no direction.
+            Map::Anisotropy => {
+                bytes.chunks_exact_mut(3).for_each(|px| px.copy_from_slice(&[u8::MAX, 128, 0]))
+            }
             Map::Id => {
                 // Marks beneath keep their place.
                 let label = |texel: usize| {

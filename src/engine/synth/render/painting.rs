@@ -9,6 +9,7 @@ mod material;
 mod relief;
 
 pub use concentrations::concentrations;
+pub use flow::flow_of;
 pub use material::{Making, plane, usual_relief};
 
 use std::io::{Seek, Write};

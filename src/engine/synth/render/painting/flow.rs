@@ -9,6 +9,13 @@ use crate::marks::{Mark, Path};
 /// Distance between two nodes at which directions are computed, px.
 const APART: f32 = 12.0;
 
+/// The direction of the hair and the scales of a document; `None` if it has none.
+#[must_use]
+pub fn flow_of(document: &Document) -> Option<Flow> {
+    let finishing = document.finish.as_ref().filter(|finishing| finishing.finish.kind.has_flow())?;
+    Some(of(document, &finishing.flow, document.size.map(f64::from)))
+}
+
 /// The directions on a canvas of `canvas` px.
 pub(super) fn of(document: &Document, choice: &FlowChoice, canvas: [f64; 2]) -> Flow {
     let along = |strokes: &[Stroke]| {

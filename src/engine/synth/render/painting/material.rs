@@ -96,6 +96,7 @@ pub fn plane(set: &Set, making: &Making) -> [(String, Vec<u8>); 2] {
     let file = |map: Map| map.file(set.name);
     let (base_colour, normal, orm) = (file(Map::BaseColour), file(Map::NormalGl), file(Map::Orm));
     let buffer = format!("{}.bin", set.name);
+    let anisotropy = set.anisotropic.then(|| file(Map::Anisotropy));
     let plane = Plane {
         name: set.name,
         size: set.size,
@@ -104,6 +105,7 @@ pub fn plane(set: &Set, making: &Making) -> [(String, Vec<u8>); 2] {
         base_colour: &base_colour,
         normal: &normal,
         orm: &orm,
+        anisotropy: anisotropy.as_deref(),
         buffer: &buffer,
     };
     let (bytes, text) = (plane.buffer(), plane.text().into_bytes());
@@ -123,7 +125,7 @@ impl Work<'_> {
     fn band(&self, rows: Range<usize>, maps: &[Map], bands: &mut [Vec<u8>], watch: &Watch) {
         let relief = self.painting.relief(rows.clone(), self.surface, self.edges, watch);
         let first = rows.start * self.painting.size[0];
-        let painted = self.painting.band(rows);
+        let painted = self.painting.band(rows.clone());
         for (map, bytes) in maps.iter().zip(bands) {
             match map {
                 Map::BaseColour => {
@@ -162,6 +164,7 @@ impl Work<'_> {
                         out.copy_from_slice(&[0, to_u8(*open), 0, to_u8(1.0 - *rough)]);
                     }
                 }
+                Map::Anisotropy => self.painting.anisotropy(rows.clone(), bytes),
                 Map::Id => {
                     let mut labels = vec![0; relief.open.len()];
                     painted.labels(&mut labels);
