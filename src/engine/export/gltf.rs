@@ -52,6 +52,20 @@ impl Plane<'_> {
         bytes
     }
 
+    /// What reflections with a direction add to the text: to its beginning, the material, the textures and the images.
+    fn anisotropic(&self) -> [String; 4] {
+        let Some(file) = self.anisotropy else { return Default::default() };
+        let name = "KHR_materials_anisotropy";
+        [
+            format!("\n  \"extensionsUsed\": [\"{name}\"],"),
+            format!(
+                ",\n    \"extensions\": {{\"{name}\": {{\"anisotropyStrength\": 1.0, \"anisotropyTexture\": {{\"index\": 3}}}}}}"
+            ),
+            ", {\"sampler\": 0, \"source\": 3}".to_owned(),
+            format!(", {{\"uri\": \"{file}\"}}"),
+        ]
+    }
+
     /// The text of the `.gltf`.
     #[must_use]
     pub fn text(&self) -> String {
@@ -59,14 +73,7 @@ impl Plane<'_> {
         let [x, z] = self.half();
         // 10497 = repeat, 33071 = clamp to edge.
         let beyond = if self.wraps { 10_497 } else { 33_071 };
-        let (mut used, mut extension, mut texture, mut image) = <(String, String, String, String)>::default();
-        if let Some(file) = self.anisotropy {
-            "\n  \"extensionsUsed\": [\"KHR_materials_anisotropy\"],".clone_into(&mut used);
-            ",\n    \"extensions\": {\"KHR_materials_anisotropy\": {\"anisotropyStrength\": 1.0, \"anisotropyTexture\": {\"index\": 3}}}"
-                .clone_into(&mut extension);
-            ", {\"sampler\": 0, \"source\": 3}".clone_into(&mut texture);
-            image = format!(", {{\"uri\": \"{file}\"}}");
-        }
+        let [used, extension, texture, image] = self.anisotropic();
         let opacity = if self.transparent { "\"BLEND\"" } else { "\"OPAQUE\"" };
         let views: Vec<String> = (0..5)
             .map(|view| {

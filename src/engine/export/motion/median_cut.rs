@@ -2,6 +2,8 @@
 //!
 //! P. Heckbert, "Color image quantization for frame buffer display", SIGGRAPH 1982.
 
+use std::ops::Range;
+
 /// At most `most` colours that stand for those of `rgb`, three bytes a px. The box of colours that is widest for its number of px is cut
 /// where it holds half of them, until there are enough boxes; each gives its mean.
 #[must_use]
@@ -10,7 +12,7 @@ pub fn median_cut(rgb: &[u8], most: usize) -> Vec<[u8; 3]> {
     if px.is_empty() || most == 0 {
         return Vec::new();
     }
-    let mut boxes = vec![0..px.len()];
+    let mut boxes: Vec<Range<usize>> = std::iter::once(0..px.len()).collect();
     while boxes.len() < most {
         let widest = boxes.iter().enumerate().max_by_key(|(at, part)| {
             let (_, width) = widest_channel(&px[(*part).clone()]);

@@ -246,7 +246,7 @@ impl Relief {
             }
             // Bodies have no finish: reflections have no direction.
             Map::Anisotropy => {
-                bytes.chunks_exact_mut(3).for_each(|px| px.copy_from_slice(&[u8::MAX, 128, 0]))
+                bytes.chunks_exact_mut(3).for_each(|px| px.copy_from_slice(&[u8::MAX, 128, 0]));
             }
             Map::Id => {
                 // Marks beneath keep their place.
