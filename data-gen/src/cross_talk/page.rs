@@ -33,6 +33,7 @@ pub fn text(matrices: &[(&Subject, Vec<Effects>)], plain: &[Row], seeds: u64) ->
             writeln!(text, "| {} | {} | {:.1} % |", name(subject), summary(off_diagonal(rows)), 100.0 * own);
     }
     let _ = writeln!(text, "| all | {} | |", summary(all));
+    let _ = writeln!(text, "| plain Gray–Scott (below) | {} | |", summary(beside_the_largest(plain)));
     for (subject, rows) in matrices {
         text += &table(subject, rows);
     }
@@ -53,6 +54,16 @@ fn off_diagonal(rows: &[Effects]) -> Vec<f64> {
         others.map(|(_, effect)| (effect.mean / own).abs()).collect::<Vec<f64>>()
     };
     rows.iter().enumerate().flat_map(of).collect()
+}
+
+/// Of the plain simulation: the effects of each parameter as shares of its largest one, without that one.
+fn beside_the_largest(rows: &[Row]) -> Vec<f64> {
+    let shares = |effects: &[f64; ATTRIBUTES.len()]| {
+        let mut sizes = effects.map(f64::abs);
+        sizes.sort_by(|a, b| b.total_cmp(a));
+        sizes[1..].iter().map(|size| size / sizes[0]).collect::<Vec<f64>>()
+    };
+    rows.iter().filter_map(|row| row.effects.as_ref()).flat_map(shares).collect()
 }
 
 /// Median and largest, per cent.

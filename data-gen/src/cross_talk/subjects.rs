@@ -23,6 +23,8 @@ pub struct Subject {
 
 /// Width and height of the canvases, px.
 const SIDE: f64 = 448.0;
+/// The distance of spots of 300 px² of `turing-spots`, px: that system takes no other.
+const TURING_SPACING: f64 = 38.0;
 
 const SPOTS: &[&str] = &["area", "aspect", "angle", "spacing"];
 const STRIPES: &[&str] = &["width", "wavelength", "angle"];
@@ -36,16 +38,16 @@ pub const SUBJECTS: [Subject; 7] = [
         found: of_region,
     },
     Subject {
-        title: "Spots (`turing-spots`)",
-        attributes: SPOTS,
-        values: &[300.0, 0.6, 40.0, 45.0],
-        layer: |values| spots("turing-spots", values),
+        title: "Spots (`turing-spots`): their spacing follows from their area",
+        attributes: &["area", "aspect", "angle"],
+        values: &[300.0, 0.6, 40.0],
+        layer: |values| spots("turing-spots", &[values, &[TURING_SPACING]].concat()),
         found: of_region,
     },
     Subject {
         title: "Stripes (`stripes`)",
         attributes: STRIPES,
-        values: &[10.0, 24.0, 40.0],
+        values: &[8.0, 26.0, 40.0],
         layer: |values| stripes("stripes", values),
         found: of_region,
     },
@@ -66,7 +68,7 @@ pub const SUBJECTS: [Subject; 7] = [
             "wavelength of the others",
             "angle of the others",
         ],
-        values: &[10.0, 26.0, 40.0, 10.0, 26.0, 130.0],
+        values: &[10.0, 32.0, 40.0, 10.0, 32.0, 130.0],
         layer: weave,
         found: of_thread,
     },
@@ -78,12 +80,12 @@ pub const SUBJECTS: [Subject; 7] = [
         found: of_region,
     },
     Subject {
-        title: "Cells (`cells`)",
-        attributes: &["spacing", "aspect", "angle", "gap"],
-        values: &[48.0, 0.7, 40.0, 4.0],
+        title: "Cells (`cells`): their spacing follows from area and gap",
+        attributes: &["area", "aspect", "angle", "gap"],
+        values: &[1150.0, 0.7, 40.0, 4.0],
         layer: |values| {
-            let &[spacing, aspect, angle, gap] = values else { return Value::Null };
-            let mut layer = spots("cells", &[0.5 * spacing * spacing, aspect, angle, spacing]);
+            let &[area, aspect, angle, gap] = values else { return Value::Null };
+            let mut layer = spots("cells", &[area, aspect, angle, (2.0 * area).sqrt()]);
             layer["options"]["gap"] = json!(gap);
             layer
         },
@@ -111,8 +113,10 @@ impl Subject {
         }
         let layer = (self.layer)(&values);
         let size = [SIDE as u32; 2];
-        let text = json!({"format": "dapple", "version": 2, "size": size, "seed": seed, "layers": [layer]})
-            .to_string();
+        // One region: the attributes are the same far from what is drawn.
+        let text = json!({"format": "dapple", "version": 2, "size": size, "regions": [1, 1], "seed": seed,
+            "layers": [layer]})
+        .to_string();
         let document = Document::parse(&text, self.title).map_err(|error| error.to_string())?;
         let grown =
             Growth::begin(&document, &Options::default(), None).run().map_err(|error| error.to_string())?;

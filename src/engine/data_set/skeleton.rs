@@ -52,18 +52,21 @@ impl Skeleton {
     }
 
     fn thin(&mut self) {
-        let mut left: Vec<usize> = (0..self.on.len()).filter(|index| self.on[*index]).collect();
-        loop {
-            let before = left.len();
-            for second in [false, true] {
-                let removed: Vec<usize> =
-                    left.iter().copied().filter(|index| self.is_removed(*index, second)).collect();
-                removed.iter().for_each(|index| self.on[*index] = false);
-                left.retain(|index| self.on[*index]);
-            }
-            if left.len() == before {
-                return;
-            }
+        let all: Vec<usize> = (0..self.on.len()).filter(|index| self.on[*index]).collect();
+        // Around the samples that each of the last two passes has removed: any others stay, as they did two passes ago.
+        let mut changed = [all.clone(), all];
+        let mut second = false;
+        while changed.iter().any(|samples| !samples.is_empty()) {
+            let near = changed.iter().flatten().copied();
+            let removed: Vec<usize> =
+                near.filter(|index| self.on[*index] && self.is_removed(*index, second)).collect();
+            removed.iter().for_each(|index| self.on[*index] = false);
+            let mut around: Vec<usize> = removed.iter().flat_map(|index| self.neighbours(*index)).collect();
+            around.sort_unstable();
+            around.dedup();
+            let [_, before] = changed;
+            changed = [before, around];
+            second = !second;
         }
     }
 
