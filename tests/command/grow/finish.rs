@@ -188,7 +188,7 @@ fn the_coats_are_formatted_as_the_program_writes_them_and_each_has_a_finish_and_
 fn each_frame_of_a_film_has_the_finish_and_the_last_one_is_the_picture() {
     let folder = Folder::with(&with_finish(tile(), "fur"));
     folder.write("plain.dapple", &tile().to_string());
-    folder.grow("-o a.png");
+    folder.grow("");
     for (file, to, options) in [
         ("a", "one", "--side 96 --threads 1"),
         ("a", "three", "--side 96 --threads 3"),
