@@ -51,5 +51,6 @@ pub mod patches;
 pub mod rosettes;
 pub mod roughened;
 pub mod solid_noise;
+pub mod stripe_variation;
 pub mod voronoi;
 mod ways;
