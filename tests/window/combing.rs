@@ -41,6 +41,7 @@ fn strokes_of_hair_outlast_a_finish_without_a_direction() {
     let strokes = vec![Stroke::line([130.0, 20.0], [30.0, 30.0], 6.0)];
     document.finish.as_mut().unwrap().flow = FlowChoice::Strokes(strokes.clone());
     let (mut hand, _folder, _) = hand_with(&document);
+    hand.press("Colour");
     for material in ["Cloth", "Fur"] {
         hand.window.get_by_label("Material of the texture").scroll_to_me();
         hand.window.run_steps(60);

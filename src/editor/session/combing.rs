@@ -82,11 +82,13 @@ impl Session {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::{Document, Finish, FinishKind, Finishing};
+    use crate::document::{Document, Finish, FinishKind, Finishing, Layer, Stroke};
 
     fn session(kind: FinishKind) -> Session {
         let finish = Some(Finishing { flow: FlowChoice::Angle(30.0), ..Finish::new(kind).into() });
-        Session::open(Document { size: [200, 100], finish, ..Document::default() }, None)
+        let spot = Stroke::ellipse([60.0, 60.0], [14.0, 10.0], 20.0);
+        let document = Document { finish, ..Document::new([200, 100]).with_layer(Layer::new([spot])) };
+        Session::open(document, None)
     }
 
     #[test]
