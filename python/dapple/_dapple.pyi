@@ -1,13 +1,32 @@
 from collections.abc import Callable
+from typing import final
 
 import numpy as np
 from numpy.typing import NDArray
+
+__all__ = [
+    "Error",
+    "Grown",
+    "GrownModel",
+    "Item",
+    "check",
+    "formatted",
+    "grow",
+    "grow_model",
+    "item",
+    "lookup",
+    "measure",
+    "photo",
+    "read",
+    "schema",
+]
 
 class Error(Exception):
     place: str | None
     found: str | None
     allowed: str | None
 
+@final
 class Grown:
     @property
     def size(self) -> tuple[int, int]: ...
@@ -26,6 +45,7 @@ class Grown:
     def outlines(self, /, scale: int = 1) -> str: ...
     def material(self, /, folder: str, name: str = "dapple", relief: float = 6.0, scale: int = 1) -> None: ...
 
+@final
 class Item:
     @property
     def index(self) -> int: ...
@@ -39,6 +59,7 @@ class Item:
     def tips(self, /) -> list[tuple[str, float, float, float]]: ...
     def object_text(self, /) -> str: ...
 
+@final
 class GrownModel:
     def report_text(self, /) -> str: ...
     def unfit(self, /) -> str | None: ...

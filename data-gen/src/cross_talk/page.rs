@@ -6,22 +6,21 @@ use super::effect::Effects;
 use super::gray_scott::{ATTRIBUTES, Row};
 use super::subjects::Subject;
 
-const HEAD: &str = "# What else changes when one attribute is changed
-
-Written by `cargo run --release -p data-gen -- cross-talk`. Of each system a sketch with one set of attributes is drawn; one attribute is
-multiplied by 0.8 and by 1.2 (directions are turned by −18° and +18°), all others stay as drawn, and everything is measured on what has grown.
-";
-
 /// The page: a matrix for each system, then the plain simulation.
 pub fn text(matrices: &[(&Subject, Vec<Effects>)], plain: &[Row], seeds: u64) -> String {
-    let mut text = HEAD.to_owned();
+    let mut text = format!(
+        "# What else changes when one attribute is changed\n\n\
+         Written by `cargo run --release -p data-gen -- cross-talk --seeds {seeds}`. Of each system a sketch with one set of attributes is drawn;\n\
+         one attribute is multiplied by 0.8 and by 1.2 (directions are turned by −18° and +18°), all others stay as drawn, and everything is\n\
+         measured on what has grown.\n"
+    );
     // Writing to a String cannot fail.
     let _ = writeln!(
         text,
-        "\nA cell says by how much the attribute of its column changes when that of its row is changed: the mean over {seeds} seeds of the \
-         signed change, in per cent of the change of the row's own attribute, ± its standard error. Changes of lengths, areas and aspects are \
-         ratios (their logarithms are compared), and a turn of 36° counts as a factor of 1.2 ÷ 0.8. The column *own* says how much of what was \
-         asked for the row's own attribute changes.\n"
+        "\nA cell says by how much the attribute of its column changes when that of its row is changed: the mean over {seeds} seeds of the\n\
+         signed change, in per cent of the change of the row's own attribute, ± its standard error. Changes of lengths, areas and aspects are\n\
+         ratios (their logarithms are compared), and a turn of 36° counts as a factor of 1.2 ÷ 0.8. The column *own* says how much of what\n\
+         was asked for the row's own attribute changes. The first table sums up the cells that are not *own*, by their size.\n"
     );
     let all: Vec<f64> = matrices.iter().flat_map(|(_, rows)| off_diagonal(rows)).collect();
     let _ =
@@ -95,17 +94,18 @@ fn table(subject: &Subject, rows: &[Effects]) -> String {
 /// The parameters of the plain simulation.
 fn plain_table(rows: &[Row], seeds: u64) -> String {
     let mut text = format!(
-        "\n## A plain simulation: Gray–Scott\n\nSpots that divide until the canvas is full (F = 0.0367, k = 0.0649, Dᵤ = 0.16, D_v = 0.08; 160² cells, 12,000 \
-         steps, {seeds} seeds), measured by the same ruler above half of the highest value. Its parameters are no attributes: no cell is the *own* \
-         one, so a row is in per cent of its largest effect, and *sensitivity* is that effect: by how many per cent it changes where the parameter \
-         changes by one. D multiplies both coefficients of diffusion.\n\n| changed | by | sensitivity | {} |\n|---|---|---|{}\n",
+        "\n## A plain simulation: Gray–Scott\n\nSpots that divide until the canvas is full (F = 0.0367, k = 0.0649, Dᵤ = 0.16, D_v = 0.08; \
+         160² cells, 12,000\nsteps, {seeds} seeds), measured by the same ruler above half of the highest value. Its parameters are no attributes: \
+         no cell is the\n*own* one, so a row is in per cent of its largest effect, and *sensitivity* is that effect: by how many per cent it \
+         changes where the\nparameter changes by one. D multiplies both coefficients of diffusion. The first table leaves out the largest \
+         effect of each row.\n\n| changed | by | sensitivity | {} |\n|---|---|---|{}\n",
         ATTRIBUTES.join(" | "),
         "---|".repeat(ATTRIBUTES.len())
     );
     for Row { name, factors, effects } in rows {
         let by = format!("±{:.0} %", 100.0 * (factors[1] - 1.0));
         let Some(effects) = effects else {
-            let _ = writeln!(text, "| {name} | {by} | no spots grow | {}", "– |".repeat(ATTRIBUTES.len()));
+            let _ = writeln!(text, "| {name} | {by} | no spots grow |{}", " – |".repeat(ATTRIBUTES.len()));
             continue;
         };
         let largest = effects.iter().copied().fold(0.0, |most: f64, effect| most.max(effect.abs()));
