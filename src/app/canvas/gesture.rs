@@ -225,7 +225,7 @@ impl Gesture {
                 return Some(DrawnStroke { mark, points });
             }
             Self::Comb(points) if points.iter().any(|point| far([points[0], *point])) => {
-                // Whether it did shows in the sketch.
+                // The caller says so where the finish has no direction.
                 let _ = session.comb(&points);
             }
             Self::Ellipse(ends) if far(ends) => {

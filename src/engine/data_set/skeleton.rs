@@ -54,7 +54,7 @@ impl Skeleton {
     fn thin(&mut self) {
         let all: Vec<usize> = (0..self.on.len()).filter(|index| self.on[*index]).collect();
         // Around the samples that each of the last two passes has removed: any others stay, as they did two passes ago.
-        let mut changed = [all.clone(), all];
+        let mut changed = [Vec::new(), all];
         let mut second = false;
         while changed.iter().any(|samples| !samples.is_empty()) {
             let near = changed.iter().flatten().copied();

@@ -51,6 +51,5 @@ pub mod patches;
 pub mod rosettes;
 pub mod roughened;
 pub mod solid_noise;
-pub mod stripe_variation;
 pub mod voronoi;
 mod ways;

@@ -219,7 +219,7 @@ fn each_frame_of_a_film_has_the_finish_and_the_last_one_is_the_picture() {
 }
 
 #[test]
-fn a_document_of_one_finish_changes_into_one_of_another_in_a_film() {
+fn both_ends_of_a_film_between_two_documents_show_their_finishes() {
     let plain = document([96, 96], &json!([{"kind": "line", "from": [10, 20], "to": [80, 24], "width": 9}]));
     let folder = Folder::with(&with_finish(plain.clone(), "fur"));
     folder.write("b.dapple", &with_finish(plain.clone(), "leather").to_string());

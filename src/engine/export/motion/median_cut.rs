@@ -4,8 +4,8 @@
 
 use std::ops::Range;
 
-/// At most `most` colours that stand for those of `rgb`, three bytes a px. The box of colours that is widest for its number of px is cut
-/// where it holds half of them, until there are enough boxes; each gives its mean.
+/// At most `most` colours near those of `rgb`, three bytes a px. The box of colours in which its largest width times √px is largest is
+/// cut at the median of that width, until there are enough boxes; each gives the mean of its px.
 #[must_use]
 pub fn median_cut(rgb: &[u8], most: usize) -> Vec<[u8; 3]> {
     let mut px: Vec<[u8; 3]> = rgb.chunks_exact(3).map(|px| [px[0], px[1], px[2]]).collect();
@@ -61,7 +61,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn few_colours_are_kept_and_many_are_stood_for_by_near_ones() {
+    fn few_colours_are_kept_and_each_of_many_has_a_near_one() {
         let few = [[9, 9, 9], [200, 10, 10], [200, 10, 90]];
         let mut kept = median_cut(&few.concat().repeat(40), 8);
         kept.sort_unstable();

@@ -216,15 +216,18 @@ pub(super) fn painted<'a>(
     canvas: [u32; 2],
     size: [usize; 2],
 ) -> Vec<u8> {
-    let plain = paint(size);
     let finer = (canvas[0].max(canvas[1]) as usize).div_ceil(size[0].max(size[1])).clamp(1, FINEST);
     if finer == 1 {
-        return plain.rgb();
+        return paint(size).rgb();
+    }
+    let fine = size.map(|side| side * finer);
+    let painting = paint(fine);
+    if !painting.has_finish() {
+        return downscale(&painting.rgb(), fine, size);
     }
     // A finish is painted at the size of the canvas where the picture is smaller: no finer one is needed.
-    let fine =
-        if plain.has_finish() { canvas.map(|side| side as usize) } else { size.map(|side| side * finer) };
-    downscale(&paint(fine).rgb(), fine, size)
+    let canvas = canvas.map(|side| side as usize);
+    downscale(&paint(canvas).rgb(), canvas, size)
 }
 
 /// Largest factor by which small pictures are painted finer.

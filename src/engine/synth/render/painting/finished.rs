@@ -13,7 +13,7 @@ use crate::synth::render::painting::{Painting, flow};
 /// Rows of the unfinished picture that are painted together.
 const ROWS: usize = 256;
 
-/// How far reflections of hair are stretched, of 255. Not tuned.
+/// How far reflections of hair are stretched, of 255: 0.7 of the most. It was not compared in a renderer.
 const STRETCH: u8 = 180;
 
 /// The finish of a painting.
