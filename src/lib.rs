@@ -78,7 +78,7 @@ pub use dapple_engine as engine;
 use dapple_engine::colour;
 pub use dapple_engine::data_set;
 pub use dapple_engine::document;
-#[cfg(feature = "cli")]
+#[cfg(any(feature = "app", feature = "cli"))]
 use dapple_engine::finish;
 use dapple_engine::{attributes, export, grid, learn, marks, measure, photo, rd, sketch, synth};
 
