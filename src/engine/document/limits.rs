@@ -7,6 +7,7 @@ use std::fmt;
 
 use crate::attributes::periods::PeriodRules;
 use crate::points::patches::Patches;
+use crate::points::stripe_variation::StripeVariation;
 use crate::rd::pairs::Stucco;
 
 /// The longest side of a canvas, px; two of them make 2³² px, where a 32-bit count of px ends.
@@ -66,6 +67,10 @@ pub const SPREAD_SPACING: Range = Range { low: 0.0, high: 0.2, unit: "" };
 
 /// σ of the edges of patches. Above this range dense patches have no room for longer fringes, and others fall to pieces.
 pub const RAGGED: Range = Range { low: 0.0, high: 0.5, unit: "" };
+/// Standard deviation ÷ mean of the width along stripes.
+pub const VARY: Range = Range { low: 0.0, high: StripeVariation::MOST_VARY, unit: "" };
+/// The share of stripes that open into two.
+pub const DOUBLE: Range = Range { low: 0.0, high: 1.0, unit: "" };
 /// Points a patch.
 pub const DETAIL: Range = Range { low: Patches::LEAST_DETAIL, high: Patches::MOST_DETAIL, unit: "points" };
 /// Width of the lines between cells: below 1 px they cannot be seen, and the finest grid is that fine.

@@ -399,6 +399,10 @@ pub struct LayerOptions {
     pub keep: Option<bool>,
     /// Initial state of its stripes.
     pub seeding: Seeding,
+    /// How much the width of its stripes varies along them, 0–[`limits::VARY`]: standard deviation ÷ mean.
+    pub vary: f64,
+    /// The share of its stripes that open into two, 0–1.
+    pub double: f64,
     /// Raggedness of its patches, or of the edges of its spots and stripes.
     pub ragged: RaggedChoice,
     /// Points from which a patch is made, [`limits::DETAIL`]: the more, the finer its fringes; or a streak: the more, the longer it is.
@@ -427,6 +431,8 @@ impl Default for LayerOptions {
             irregular: 0.0,
             keep: None,
             seeding: Seeding::Noise,
+            vary: 0.0,
+            double: 0.0,
             ragged: RaggedChoice::Drawn,
             detail: Patches::DETAIL,
             gap: GapChoice::Drawn,

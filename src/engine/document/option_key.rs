@@ -25,6 +25,10 @@ pub enum OptionKey {
     Broken,
     /// Whether the drawn marks are among those that grow.
     Keep,
+    /// How much the width of stripes varies along them.
+    Vary,
+    /// The share of stripes that open into two.
+    Double,
     /// Raggedness of edges.
     Ragged,
     /// Points a patch or a streak.
@@ -70,13 +74,15 @@ macro_rules! entry {
 
 impl OptionKey {
     /// All keys, in the order in which they are shown, checked and written.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 14] = [
         Self::Spread,
         Self::Irregular,
         Self::Duty,
         Self::Seeding,
         Self::Broken,
         Self::Keep,
+        Self::Vary,
+        Self::Double,
         Self::Ragged,
         Self::Detail,
         Self::Gap,
@@ -100,6 +106,8 @@ impl OptionKey {
             }
             Self::Broken => entry!(broken, &["0"], |node: Read| node.number(&limits::BROKEN), number),
             Self::Keep => entry!(keep, &["false"], |node: Read| node.flag().map(Some), |keep| json!(keep)),
+            Self::Vary => entry!(vary, &["0"], |node: Read| node.number(&limits::VARY), number),
+            Self::Double => entry!(double, &["0"], |node: Read| node.number(&limits::DOUBLE), number),
             Self::Ragged => {
                 entry!(ragged, &["\"drawn\""], |node| drawn_or(node, &limits::RAGGED), given_json)
             }
@@ -191,6 +199,18 @@ pub(super) static OPTIONS: Object = Object {
             Shape::Flag,
             Key::NONE,
             "whether the drawn marks are among those that grow; without it they are where there are no regions or one, and `irregular` is 0; marks on a model are kept unless it is false",
+        ),
+        Key::new(
+            "vary",
+            Shape::Number(limits::VARY),
+            "0",
+            "how much the width of stripes varies along them, standard deviation ÷ mean: they swell, taper, and above 0.4 end in points. The covered area stays",
+        ),
+        Key::new(
+            "double",
+            Shape::Number(limits::DOUBLE),
+            "0",
+            "the share of the stripes that open into two, as on a tiger. The covered area stays",
         ),
         Key::new(
             "ragged",

@@ -37,6 +37,7 @@
 pub mod appearance;
 pub mod centers;
 pub mod delaunay;
+mod depth;
 pub mod discs;
 pub mod extent;
 pub mod fields;
@@ -51,5 +52,6 @@ pub mod patches;
 pub mod rosettes;
 pub mod roughened;
 pub mod solid_noise;
+pub mod stripe_variation;
 pub mod voronoi;
 mod ways;

@@ -15,9 +15,9 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 
+use super::depth;
 use super::labels::normal;
 use super::noise::Noise;
-use crate::grid::distance::{length, nearest};
 use crate::grid::{Bounds, Domain, Edges, Field, UnionFind, atan2, sin_cos_degrees};
 
 /// What rosettes are like.
@@ -110,22 +110,14 @@ pub fn rosettes(patches: &Field, of: &Rosettes, seed: u64) -> Field {
     let mean = marks.iter().map(|mark| mark.area).sum::<f64>() / marks.len() as f64;
     let width = of.width_on(mean);
     draw(&mut marks, of, width, mean, seed);
-    let inside: Vec<bool> = patches.values.iter().map(|value| *value >= EDGE).collect();
-    let outside: Vec<bool> = inside.iter().map(|inside| !inside).collect();
-    let (Some(to_inside), Some(to_outside)) = (nearest(&inside, &grid), nearest(&outside, &grid)) else {
-        return patches.clone();
-    };
+    let Some(edges) = depth::Edges::new(patches) else { return patches.clone() };
     let noise = Noise { radius: UNEVEN_SIZE * width, octaves: 1, fold: false, seed };
     let noise = noise.field(&grid);
     let canvas = grid.bounds_px();
     let value = |cell: usize| {
-        let way = if inside[cell] { to_outside[cell] } else { to_inside[cell] };
-        let Some((beside, _)) = grid.step(cell, way) else { return patches.values[cell] };
-        let mark = &marks[owners[if inside[cell] { cell } else { beside }] as usize];
+        let Some((depth, beside)) = edges.depth(cell) else { return patches.values[cell] };
+        let mark = &marks[owners[if edges.is_inside(cell) { cell } else { beside }] as usize];
         let Some(rosette) = &mark.rosette else { return patches.values[cell] };
-        let side = if inside[cell] { 1.0 } else { -1.0 };
-        // The edge lies between the two cells, where the pattern is ½.
-        let depth = side * (length(way, &grid) - beyond(patches, beside)).max(0.0);
         // From 0..1 to −2..2, so that its deviation is about 1.
         let uneven = f64::from(4.0 * noise.values[cell] - 2.0);
         let away = canvas.shortest([0, 1].map(|axis| grid.center_px(cell)[axis] - mark.center[axis]));
@@ -167,17 +159,6 @@ fn inside_bar(at: [f64; 2], half: [f64; 2]) -> f64 {
     let [x, y] = [0, 1].map(|axis| at[axis].abs() - (half[axis] - corner));
     let beyond = (x.max(0.0) * x.max(0.0) + y.max(0.0) * y.max(0.0)).sqrt();
     corner - beyond - x.max(y).min(0.0)
-}
-
-/// The distance of the edge from a cell that lies beside it, px.
-fn beyond(patches: &Field, cell: usize) -> f64 {
-    let [x, y] = [cell % patches.width, cell / patches.width].map(|k| k as isize);
-    let slope = |before: f32, after: f32, px: f64| f64::from(after - before) / (2.0 * px);
-    let across = slope(patches.get(x - 1, y), patches.get(x + 1, y), patches.cell[0]);
-    let down = slope(patches.get(x, y - 1), patches.get(x, y + 1), patches.cell[1]);
-    let steep = (across * across + down * down).sqrt();
-    let most = patches.cell[0].max(patches.cell[1]);
-    (f64::from((patches.values[cell] - EDGE).abs()) / steep.max(1e-6)).min(most)
 }
 
 /// The patch of each cell (of cells outside any number), and all patches.

@@ -18,6 +18,7 @@ use crate::synth::options::{Options, Settings};
 use crate::synth::passes::PassSet;
 use crate::synth::profile::{Section, during};
 use crate::synth::report::DrawnMark;
+use crate::synth::shaped::shaped;
 use crate::synth::watch::Stage;
 
 /// A grown texture.
@@ -243,7 +244,14 @@ impl<'a> Growth<'a> {
 
     /// Freezes a layer that has grown. Returns the work.
     fn freeze(&mut self, growth: LayerGrowth<'a>) -> u64 {
-        self.layers.extend(growth.complete());
+        let index = self.layers.len();
+        if let Some(mut layer) = growth.complete() {
+            let options = &self.document.layers[index].options;
+            let seed = self.document.layer_seed(index);
+            let shaped = during(Section::Steps, || shaped(&*layer.pattern(), options, seed));
+            shaped.into_iter().for_each(|shaped| layer.show(shaped));
+            self.layers.push(layer);
+        }
         self.state = if self.layers.len() < self.document.layers.len() { State::Begin } else { State::Done };
         1
     }

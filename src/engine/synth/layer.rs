@@ -6,6 +6,7 @@
 mod own;
 
 use std::any::Any;
+use std::sync::Arc;
 
 use crate::attributes::system::Description;
 use crate::document::{Document, tile};
@@ -23,9 +24,10 @@ use crate::synth::lines::Lines;
 use crate::synth::marks::Marks;
 use crate::synth::memory::{self, TooLarge};
 use crate::synth::pairs::Pairs;
-use crate::synth::pattern::LayerPattern;
+use crate::synth::pattern::{AreaPattern, LayerPattern};
 use crate::synth::points::Points;
 use crate::synth::report::{DrawnMark, LayerReport};
+use crate::synth::shaped;
 use crate::synth::tone::Driven;
 use crate::synth::watch::Stage;
 
@@ -49,10 +51,10 @@ macro_rules! kinds {
             $($(#[doc = $doc])* $(#[cfg($only)])? $name(Box<<$kind as Kind>::Growth<'a>>)),*
         }
 
-        /// A grown layer.
+        /// A grown layer, and the pattern that is shown instead of its own one, if there is such.
         #[derive(Clone)]
         pub enum GrownLayer {
-            $($(#[doc = $doc])* $(#[cfg($only)])? $name(Box<<$kind as Kind>::Grown>)),*
+            $($(#[doc = $doc])* $(#[cfg($only)])? $name(Box<<$kind as Kind>::Grown>, Option<Arc<Field>>)),*
         }
 
         impl LayerKind {
@@ -224,7 +226,7 @@ macro_rules! kinds {
             pub fn complete(self) -> Option<GrownLayer> {
                 match self {
                     $($(#[cfg($only)])? Self::$name(growth) => {
-                        <$kind as Kind>::complete(*growth).map(|grown| GrownLayer::$name(Box::new(grown)))
+                        <$kind as Kind>::complete(*growth).map(|grown| GrownLayer::$name(Box::new(grown), None))
                     })*
                 }
             }
@@ -235,7 +237,7 @@ macro_rules! kinds {
             #[must_use]
             pub fn planned(&self) -> Planned {
                 match self {
-                    $($(#[cfg($only)])? Self::$name(grown) => <$kind as Kind>::planned_of(grown),)*
+                    $($(#[cfg($only)])? Self::$name(grown, _) => <$kind as Kind>::planned_of(grown),)*
                 }
             }
 
@@ -243,7 +245,7 @@ macro_rules! kinds {
             #[must_use]
             pub fn ending(&self) -> Ending {
                 match self {
-                    $($(#[cfg($only)])? Self::$name(grown) => <$kind as Kind>::ending(grown),)*
+                    $($(#[cfg($only)])? Self::$name(grown, _) => <$kind as Kind>::ending(grown),)*
                 }
             }
 
@@ -251,7 +253,8 @@ macro_rules! kinds {
             #[must_use]
             pub fn pattern(&self) -> LayerPattern<'_> {
                 match self {
-                    $($(#[cfg($only)])? Self::$name(grown) => <$kind as Kind>::pattern(grown),)*
+                    $($(#[cfg($only)])? Self::$name(_, Some(shaped)) => Box::new(AreaPattern::new(shaped)),)*
+                    $($(#[cfg($only)])? Self::$name(grown, None) => <$kind as Kind>::pattern(grown),)*
                 }
             }
 
@@ -259,7 +262,7 @@ macro_rules! kinds {
             #[must_use]
             pub fn drawn(&self) -> Vec<DrawnMark> {
                 match self {
-                    $($(#[cfg($only)])? Self::$name(grown) => <$kind as Kind>::drawn(grown),)*
+                    $($(#[cfg($only)])? Self::$name(grown, _) => <$kind as Kind>::drawn(grown),)*
                 }
             }
 
@@ -267,14 +270,14 @@ macro_rules! kinds {
             #[must_use]
             pub fn left_out(&self) -> Vec<DrawnMark> {
                 match self {
-                    $($(#[cfg($only)])? Self::$name(grown) => <$kind as Kind>::left_out_of(grown),)*
+                    $($(#[cfg($only)])? Self::$name(grown, _) => <$kind as Kind>::left_out_of(grown),)*
                 }
             }
 
             /// Fills in the particulars of its kind in the report of layer `index`.
             pub fn report(&self, document: &Document, index: usize, report: &mut LayerReport) {
                 match self {
-                    $($(#[cfg($only)])? Self::$name(grown) => {
+                    $($(#[cfg($only)])? Self::$name(grown, _) => {
                         <$kind as Kind>::report(grown, document, index, report);
                     })*
                 }
@@ -284,7 +287,7 @@ macro_rules! kinds {
             #[must_use]
             pub fn advice(&self, full: bool) -> &'static str {
                 match self {
-                    $($(#[cfg($only)])? Self::$name(grown) => <$kind as Kind>::advice(grown, full),)*
+                    $($(#[cfg($only)])? Self::$name(grown, _) => <$kind as Kind>::advice(grown, full),)*
                 }
             }
 
@@ -292,7 +295,7 @@ macro_rules! kinds {
             #[must_use]
             pub fn chemicals(&self) -> Vec<(String, Field)> {
                 match self {
-                    $($(#[cfg($only)])? Self::$name(grown) => <$kind as Kind>::chemicals(grown),)*
+                    $($(#[cfg($only)])? Self::$name(grown, _) => <$kind as Kind>::chemicals(grown),)*
                 }
             }
 
@@ -300,7 +303,7 @@ macro_rules! kinds {
             #[must_use]
             pub fn into_own(self) -> Box<dyn Any> {
                 match self {
-                    $($(#[cfg($only)])? Self::$name(grown) => grown,)*
+                    $($(#[cfg($only)])? Self::$name(grown, _) => grown,)*
                 }
             }
 
@@ -308,7 +311,7 @@ macro_rules! kinds {
             #[must_use]
             pub fn own_mut(&mut self) -> &mut dyn Any {
                 match self {
-                    $($(#[cfg($only)])? Self::$name(grown) => &mut **grown,)*
+                    $($(#[cfg($only)])? Self::$name(grown, _) => &mut **grown,)*
                 }
             }
 
@@ -316,7 +319,14 @@ macro_rules! kinds {
             #[must_use]
             pub fn own(&self) -> &dyn Any {
                 match self {
-                    $($(#[cfg($only)])? Self::$name(grown) => &**grown,)*
+                    $($(#[cfg($only)])? Self::$name(grown, _) => &**grown,)*
+                }
+            }
+
+            /// Shows this field, 0..1 with its edges at ½, instead of the pattern that has grown.
+            pub fn show(&mut self, field: Field) {
+                match self {
+                    $($(#[cfg($only)])? Self::$name(_, shaped) => *shaped = Some(Arc::new(field)),)*
                 }
             }
         }
@@ -361,7 +371,8 @@ impl LayerPlan {
     pub fn fits(&self, request: &Request) -> Result<(), TooLarge> {
         let Request { size, memory: free, .. } = *request;
         let grid = self.planned().grid.size;
-        memory::fits(self.bytes(size, grid), size, grid, free)
+        let shaped = shaped::bytes(&request.document.layers[request.index].options, size);
+        memory::fits(self.bytes(size, grid) + shaped, size, grid, free)
     }
 }
 

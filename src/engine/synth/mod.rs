@@ -18,6 +18,7 @@ pub mod passes;
 pub mod pattern;
 pub mod profile;
 pub mod report;
+pub mod shaped;
 pub mod time;
 mod training;
 mod watch;

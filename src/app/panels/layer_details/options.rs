@@ -62,6 +62,13 @@ fn described(choice: OptionKey) -> (&'static str, &'static str) {
              lines in the drawn direction, which grow into forked and wavy stripes. Drawn lines: stripes \
              spread from the lines that you drew",
         ),
+        OptionKey::Vary => (
+            "Varying width",
+            "How much the width of stripes varies along them, 0 % to 80 %: they swell and taper, and above 40 % end in points",
+        ),
+        OptionKey::Double => {
+            ("Doubled", "The share of the stripes that open into two thin ones, as on a tiger")
+        }
         OptionKey::Ragged => (
             "Ragged",
             "How ragged the edges are, 0 % to 50 %. As drawn: patches are as ragged as the drawn outlines \
@@ -111,6 +118,8 @@ fn control(ui: &mut Ui, session: &Session, choice: OptionKey, options: &mut Laye
             }
             field
         }
+        OptionKey::Vary => share(ui, name, &mut options.vary, &limits::VARY),
+        OptionKey::Double => share(ui, name, &mut options.double, &limits::DOUBLE),
         OptionKey::Ragged => ragged(ui, name, &mut options.ragged),
         OptionKey::Detail => {
             let limits::Range { low, high, .. } = limits::DETAIL;

@@ -16,6 +16,7 @@ pub static RULES: LazyLock<Vec<Rule>> = LazyLock::new(|| {
         about_systems(),
         about_options_of_spots(),
         about_options_of_stripes(),
+        about_shapes_of_stripes(),
         about_drawn_marks(),
         about_maps(),
         owned("points").into_iter().collect(),
@@ -194,6 +195,22 @@ fn about_options_of_stripes() -> Vec<Rule> {
             "Stripes that do not begin from noise are as wide as their gaps",
         ),
     ]
+}
+
+/// The options of the shapes that stripes have along them.
+fn about_shapes_of_stripes() -> Vec<Rule> {
+    let rules = |key| {
+        [
+            read(Key::Option(key), Driven, TONE_DECIDES),
+            read(
+                Key::Option(key),
+                Grows(Ellipse),
+                "Only stripes vary in width along them, and open into two",
+            ),
+            read(Key::Option(key), NotTaken(key), NOT_TAKEN),
+        ]
+    };
+    [OptionKey::Vary, OptionKey::Double].into_iter().flat_map(rules).collect()
 }
 
 /// Rules about options that concern the drawn marks.

@@ -48,6 +48,8 @@ fn every_rule_can_be_broken() {
             seeding: Seeding::Segments,
             broken: 0.3,
             keep: Some(true),
+            vary: 0.3,
+            double: 0.2,
             ragged: RaggedChoice::Given(0.2),
             detail: 40.0,
             gap: GapChoice::Given(5.0),
@@ -134,8 +136,10 @@ fn any_options() -> impl Strategy<Value = LayerOptions> {
     let decay = prop_oneof![Just(0.8), 0.0..0.85f64];
     let over = prop::sample::select(vec![Over::Level, Over::Twill21]);
     let rosette = prop::option::of((0.0..1.0f64).prop_map(|solid| Rosettes { solid, ..Rosettes::default() }));
-    (spread, duty, share(), share(), keep, seeding, ragged, detail, gap, (rosette, decay, over)).prop_map(
-        |(spread, duty, broken, irregular, keep, seeding, ragged, detail, gap, (rosette, decay, over))| {
+    let shapes = (share(), share(), rosette, decay, over);
+    (spread, duty, share(), share(), keep, seeding, ragged, detail, gap, shapes).prop_map(
+        |(spread, duty, broken, irregular, keep, seeding, ragged, detail, gap, shapes)| {
+            let (vary, double, rosette, decay, over) = shapes;
             LayerOptions {
                 spread,
                 duty,
@@ -143,6 +147,8 @@ fn any_options() -> impl Strategy<Value = LayerOptions> {
                 irregular,
                 keep,
                 seeding,
+                vary,
+                double,
                 ragged,
                 detail,
                 gap,

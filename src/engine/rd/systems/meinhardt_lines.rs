@@ -50,7 +50,7 @@ static DEFINITION: Definition = Definition {
         marks: MarkKind::Stripes,
         free_spacing: true,
         along_curves: true,
-        option_keys: &["keep", "duty", "ragged"],
+        option_keys: &["keep", "duty", "vary", "double", "ragged"],
         lookup: LookupBy::Rows,
         columns: &columns::LINES,
         training: embedded!("meinhardt-lines"),

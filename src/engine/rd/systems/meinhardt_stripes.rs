@@ -45,7 +45,7 @@ static DEFINITION: Definition = Definition {
         marks: MarkKind::Stripes,
         seeding: true,
         tone: true,
-        option_keys: &["keep", "duty", "seeding", "ragged"],
+        option_keys: &["keep", "duty", "seeding", "vary", "double", "ragged"],
         lookup: LookupBy::Rows,
         columns: &columns::STRIPES,
         training: embedded!("meinhardt-stripes-orientation", "meinhardt-stripes-width"),

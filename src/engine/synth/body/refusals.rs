@@ -68,22 +68,12 @@ fn refused(layer: &Layer, index: usize) -> Option<Problem> {
         return at("strokes", "ellipses and lines in one layer", "marks of one kind in a layer on a model");
     }
     let has_paths = layer.on_model.iter().any(|mark| matches!(mark, BodyMark::Path { .. }));
-    let LayerOptions { irregular, broken, seeding, .. } = layer.options;
-    let takes_noise =
-        layer.wanted_system().system().is_some_and(|system| system.definition().decay_noise.is_some());
     let needs_paths = "a path on the model, from which stripes begin";
-    match seeding {
+    match layer.options.seeding {
         Seeding::Segments => return at("options.seeding", "\"segments\" on a model", "noise or initiators"),
         Seeding::Initiators if !has_paths => return at("strokes", "no path on the model", needs_paths),
         Seeding::Initiators | Seeding::Noise => {}
     }
-    let options = [
-        ("options.irregular", irregular != 0.0 && !takes_noise),
-        ("options.rosette", layer.options.rosette.is_some()),
-        ("options.broken", broken != 0.0 && layer.after != After::Around),
-        ("tone", layer.tone.is_some()),
-        ("points", layer.points.is_some() && layer.point_field().is_none()),
-    ];
     if let Some((key, found, allowed)) = refused_of_kind(layer) {
         return at(key, found, allowed);
     }
@@ -98,9 +88,26 @@ fn refused(layer: &Layer, index: usize) -> Option<Problem> {
     if index == 0 && layer.after != After::Between {
         return at("after", &format!("{:?}", layer.after.name()), "between: it is the lowest layer");
     }
-    let (key, _) = options.into_iter().find(|(_, given)| *given)?;
+    let key = refused_key(layer)?;
     let name = key.trim_start_matches("options.");
     at(key, &format!("\"{name}\" on a model"), NEW)
+}
+
+/// A key of `layer` that grows on no model yet.
+fn refused_key(layer: &Layer) -> Option<&'static str> {
+    let LayerOptions { irregular, broken, vary, double, rosette, .. } = layer.options;
+    let takes_noise =
+        layer.wanted_system().system().is_some_and(|system| system.definition().decay_noise.is_some());
+    let keys = [
+        ("options.irregular", irregular != 0.0 && !takes_noise),
+        ("options.vary", vary != 0.0),
+        ("options.double", double != 0.0),
+        ("options.rosette", rosette.is_some()),
+        ("options.broken", broken != 0.0 && layer.after != After::Around),
+        ("tone", layer.tone.is_some()),
+        ("points", layer.points.is_some() && layer.point_field().is_none()),
+    ];
+    keys.into_iter().find_map(|(key, given)| given.then_some(key))
 }
 
 /// A key of a layer, the value that does not grow on a model, and what is allowed.

@@ -100,7 +100,8 @@ impl PairPlan {
         let layer = &document.layers[index];
         let combination = Combination::new(layer, marks.first().map(Kind::from), below);
         // A weave that `auto` chooses because lines cross has smooth edges, too.
-        let options = LayerOptions { ragged: layer.options.ragged, ..LayerOptions::default() };
+        let LayerOptions { vary, double, ragged, .. } = layer.options;
+        let options = LayerOptions { vary, double, ragged, ..LayerOptions::default() };
         let of_pairs = Combination { system: SystemChoice::Of(kind.description()), options, ..combination };
         let place = format!("layers[{index}]");
         if let Some(problem) = combination.problem(&place).or_else(|| of_pairs.problem(&place)) {
