@@ -53,5 +53,6 @@ pub mod rosettes;
 pub mod roughened;
 pub mod solid_noise;
 pub mod stripe_variation;
+pub mod stripe_widths;
 pub mod voronoi;
 mod ways;

@@ -12,9 +12,9 @@
 
 use rayon::prelude::*;
 
-use super::depth::Edges;
 use super::level::{relevel, share_above};
 use super::noise::Noise;
+use super::stripe_widths::{StripeWidths, depths};
 use crate::grid::blur::boxes;
 use crate::grid::{Domain, Field, Grid, atan2};
 
@@ -56,9 +56,6 @@ const RADII: [f64; 2] = [0.5, 0.7];
 /// periods along stripes, as between the swellings of a tiger's.
 const PLACES: [usize; 2] = [4, 6];
 const STEP: f64 = 0.3;
-/// Radius of the window in which widths are averaged, in periods: a period and a half across, so that it holds whole stripes and
-/// gaps.
-const WINDOW: f64 = 0.75;
 /// Combined with the seed, so that the noise of openings has random numbers of its own.
 const SECOND: u64 = 0x9E37_79B9_7F4A_7C15;
 
@@ -67,7 +64,7 @@ const SECOND: u64 = 0x9E37_79B9_7F4A_7C15;
 pub fn varied(stripes: &Field, by: &StripeVariation, seed: u64) -> Field {
     let Some(depths) = depths(stripes).filter(|_| !by.is_none()) else { return stripes.clone() };
     let grid = stripes.grid();
-    let widths = Widths::new(&depths, &grid);
+    let widths = StripeWidths::new(&depths, &grid);
     let along = directions(&depths, &grid, widths.mean[0]);
     let noise = |which: usize, seed: u64| {
         let radius = RADII[which] * widths.period();
@@ -82,7 +79,7 @@ pub fn varied(stripes: &Field, by: &StripeVariation, seed: u64) -> Field {
     });
     let value = |cell: usize| {
         let open = u.as_ref().map_or(-1.0, |u| f64::from(u[cell]));
-        widths.value(cell, f64::from(depths[cell]), by.vary * f64::from(n[cell]), open)
+        value(&widths, cell, f64::from(depths[cell]), by.vary * f64::from(n[cell]), open)
     };
     let values = (0..grid.cells()).into_par_iter().map(value).collect();
     let mut out = Field { values, ..stripes.clone() };
@@ -90,67 +87,22 @@ pub fn varied(stripes: &Field, by: &StripeVariation, seed: u64) -> Field {
     out
 }
 
-/// The depth of each cell inside the edge, px, negative outside; `None` without edges.
-fn depths(stripes: &Field) -> Option<Vec<f32>> {
-    let edges = Edges::new(stripes)?;
-    let depth = |cell: usize| edges.depth(cell).map_or(0.0, |(depth, _)| depth as f32);
-    Some((0..stripes.values.len()).into_par_iter().map(depth).collect())
-}
-
-/// Widths of stripes and gaps around each place.
-struct Widths {
-    /// Half widths of the stripes, and of the gaps between them, px.
-    halves: [Vec<f32>; 2],
-    /// Their means.
-    mean: [f64; 2],
-}
-
-impl Widths {
-    fn new(depths: &[f32], grid: &Grid) -> Self {
-        // The mean depth of a stripe is half of its half width.
-        let sides = [1.0f32, -1.0].map(|side| {
-            let within: Vec<f32> =
-                depths.iter().map(|depth| f32::from(u8::from(side * depth > 0.0))).collect();
-            let deep: Vec<f32> = depths.iter().map(|depth| (side * depth).max(0.0)).collect();
-            (deep, within)
-        });
-        let sum = |values: &[f32]| values.iter().map(|value| f64::from(*value)).sum::<f64>();
-        let mean = [0, 1].map(|side| 2.0 * sum(&sides[side].0) / sum(&sides[side].1).max(1.0));
-        let window = WINDOW * 2.0 * (mean[0] + mean[1]) / grid.px_a_cell();
-        let window = (window.round() as usize).clamp(1, grid.size[0].min(grid.size[1]));
-        let halves = [0, 1].map(|side| {
-            let (deep, within) = &sides[side];
-            let [deep, within] = [deep, within].map(|values| boxes(values, grid.size, grid.edges, window));
-            let half = |(deep, within): (&f32, &f32)| {
-                if *within > 1e-3 { (2.0 * deep / within).max(1e-3) } else { mean[side] as f32 }
-            };
-            deep.iter().zip(&within).map(half).collect()
-        });
-        Self { halves, mean }
-    }
-
-    /// The mean distance of the stripes, px.
-    fn period(&self) -> f64 {
-        2.0 * (self.mean[0] + self.mean[1])
-    }
-
-    /// The pattern at a cell of this `depth`, where the width differs by the factor 1 + `wider`, and the stripe opens by `open`.
-    fn value(&self, cell: usize, depth: f64, wider: f64, open: f64) -> f32 {
-        let [half, gap] = [0, 1].map(|side| f64::from(self.halves[side][cell]));
-        let wider = half * (1.0 + wider + OPENED * (open + 0.5).clamp(0.0, 1.0));
-        let wider = wider.min(half + ROOM * gap);
-        let inner = wider * open.clamp(-1.0, INNER);
-        let from_middle = half - depth;
-        let ink = (wider - from_middle).min(from_middle.max(0.0) - inner);
-        let over = if ink > 0.0 {
-            half
-        } else if from_middle < inner {
-            inner
-        } else {
-            gap
-        };
-        (0.5 + 0.5 * ink / over).clamp(0.0, 1.0) as f32
-    }
+/// The pattern at a cell of this `depth`, where the width differs by the factor 1 + `wider`, and the stripe opens by `open`.
+fn value(widths: &StripeWidths, cell: usize, depth: f64, wider: f64, open: f64) -> f32 {
+    let [half, gap] = [0, 1].map(|side| f64::from(widths.halves[side][cell]));
+    let wider = half * (1.0 + wider + OPENED * (open + 0.5).clamp(0.0, 1.0));
+    let wider = wider.min(half + ROOM * gap);
+    let inner = wider * open.clamp(-1.0, INNER);
+    let from_middle = half - depth;
+    let ink = (wider - from_middle).min(from_middle.max(0.0) - inner);
+    let over = if ink > 0.0 {
+        half
+    } else if from_middle < inner {
+        inner
+    } else {
+        gap
+    };
+    (0.5 + 0.5 * ink / over).clamp(0.0, 1.0) as f32
 }
 
 /// Unit vectors along the stripes at each cell, from the structure tensor of the depths under a bell of `reach` px.

@@ -18,7 +18,7 @@ use crate::synth::options::{Options, Settings};
 use crate::synth::passes::PassSet;
 use crate::synth::profile::{Section, during};
 use crate::synth::report::DrawnMark;
-use crate::synth::shaped::shaped;
+use crate::synth::shaped::Shapes;
 use crate::synth::watch::Stage;
 
 /// A grown texture.
@@ -246,10 +246,13 @@ impl<'a> Growth<'a> {
     fn freeze(&mut self, growth: LayerGrowth<'a>) -> u64 {
         let index = self.layers.len();
         if let Some(mut layer) = growth.complete() {
-            let options = &self.document.layers[index].options;
-            let seed = self.document.layer_seed(index);
-            let shaped = during(Section::Steps, || shaped(&*layer.pattern(), options, seed));
-            shaped.into_iter().for_each(|shaped| layer.show(shaped));
+            if let Some(shapes) =
+                Shapes::of(&self.document.layers[index].options, layer.is_made_ragged_later())
+            {
+                let seed = self.document.layer_seed(index);
+                let shaped = during(Section::Steps, || shapes.applied(&*layer.pattern(), seed));
+                layer.show(shaped);
+            }
             self.layers.push(layer);
         }
         self.state = if self.layers.len() < self.document.layers.len() { State::Begin } else { State::Done };

@@ -27,7 +27,7 @@ use crate::synth::pairs::Pairs;
 use crate::synth::pattern::{AreaPattern, LayerPattern};
 use crate::synth::points::Points;
 use crate::synth::report::{DrawnMark, LayerReport};
-use crate::synth::shaped;
+use crate::synth::shaped::Shapes;
 use crate::synth::tone::Driven;
 use crate::synth::watch::Stage;
 
@@ -371,7 +371,9 @@ impl LayerPlan {
     pub fn fits(&self, request: &Request) -> Result<(), TooLarge> {
         let Request { size, memory: free, .. } = *request;
         let grid = self.planned().grid.size;
-        let shaped = shaped::bytes(&request.document.layers[request.index].options, size);
+        let later = matches!(self, Self::Pairs(_) | Self::Lines(_));
+        let shapes = Shapes::of(&request.document.layers[request.index].options, later);
+        let shaped = shapes.map_or(0.0, |_| Shapes::bytes(size));
         memory::fits(self.bytes(size, grid) + shaped, size, grid, free)
     }
 }
@@ -381,6 +383,12 @@ impl GrownLayer {
     #[must_use]
     pub fn system(&self) -> &'static Description {
         self.planned().system
+    }
+
+    /// Whether its edges get their raggedness after its growth.
+    #[must_use]
+    pub fn is_made_ragged_later(&self) -> bool {
+        matches!(self, Self::Pairs(..) | Self::Lines(..))
     }
 
     /// Cells along x and y of the grid that it grew on.

@@ -36,6 +36,7 @@ pub mod tone;
 // Documents.
 pub mod body;
 pub mod check;
+pub mod edge_search;
 pub mod estimate;
 pub mod growth;
 pub mod layer;

@@ -110,8 +110,7 @@ fn the_options_of_patches_are_written_as_they_were_read_and_refused_elsewhere() 
 
 #[test]
 fn spots_and_stripes_of_reaction_and_diffusion_can_have_ragged_edges_and_others_cannot() {
-    let only =
-        "\"drawn\". Only patches and the spots and stripes of reaction and diffusion have ragged edges";
+    let only = "\"drawn\". Only patches, streaks, and the spots and stripes of reaction and diffusion have ragged edges";
     let (ellipse, line) = (
         json!({"kind": "ellipse", "center": [60, 60], "radii": [12, 9]}),
         json!({"kind": "line", "from": [20, 20], "to": [90, 30]}),

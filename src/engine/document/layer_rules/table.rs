@@ -47,7 +47,8 @@ const NOT_TAKEN: &str = "This system does not take this option";
 const TONE_DECIDES: &str = "The tone of the picture determines the size of marks";
 
 /// Reason for ragged edges of other marks.
-const NO_RAGGED: &str = "Only patches and the spots and stripes of reaction and diffusion have ragged edges";
+const NO_RAGGED: &str =
+    "Only patches, streaks, and the spots and stripes of reaction and diffusion have ragged edges";
 
 /// Reason for ragged edges of layers that a picture drives.
 const DRIVEN_EDGES: &str = "The edges of marks that a picture drives carry its details";

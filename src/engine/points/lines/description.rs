@@ -19,7 +19,7 @@ pub static STREAKS: Description = Description {
     noun: "streaks",
     help: "Ragged stripes with ends, as on a tiger, along the drawn lines and with their width",
     picture: picture!("streaks"),
-    option_keys: &["duty", "vary", "double", "detail"],
+    option_keys: &["duty", "vary", "double", "ragged", "detail"],
     own_keys: &[Keys {
         keys: &["options.detail"],
         reason: "Only patches and streaks are made from a number of points: set \"system\" to one of these",

@@ -15,7 +15,7 @@ pub static PAIR_STRIPES: Description = Description {
     help: "Stripes of one direction from noise, which end in tips and begin anew",
     picture: picture!("pair-stripes"),
     tone: true,
-    option_keys: &["duty", "vary", "double"],
+    option_keys: &["duty", "vary", "double", "ragged"],
     lookup: LookupBy::Pairs(&Coordinates {
         by_directions: false,
         asked: &[("duty", Scale::Log), ("angle", Scale::Quarter)],

@@ -4,11 +4,12 @@
 use crate::attributes::Attributes;
 use crate::grid::{Domain, UnionFind};
 use crate::measure::{SurfaceSpot, surface_stripes};
-use crate::points::roughened::{Roughening, SCALE, Sums, modes};
+use crate::points::roughened::{SCALE, Sums, modes};
 use crate::points::solid_noise::SolidNoise;
 use crate::synth::body::plan::BodyPlan;
 use crate::synth::body::threshold::Levelled;
-use crate::synth::marks::grow::ragged::{FIRST, NEAR, SEED, TRIES};
+use crate::synth::edge_search::EdgeSearch;
+use crate::synth::marks::grow::ragged::SEED;
 use crate::synth::marks::plan::raggedness::excess;
 use crate::synth::pattern::{EDGE, share};
 
@@ -32,9 +33,9 @@ pub fn roughened(plan: &mut BodyPlan, levelled: Levelled, sigma: f64, seed: u64,
     let noise = noise(plan, &levelled, seed ^ SEED);
     let smooth = contour(plan, &levelled.pattern);
     plan.levels = vec![EDGE; plan.levels.len()];
-    let (mut amount, mut best) = (FIRST, None::<(f64, Levelled)>);
-    for _ in 0..TRIES {
-        let mut rough = with_noise(&levelled.pattern, &noise, amount as f32);
+    let mut search = EdgeSearch::new(asked);
+    loop {
+        let mut rough = with_noise(&levelled.pattern, &noise, search.amount() as f32);
         tidy(plan, &mut rough);
         let found = if plan.choice.system.is_striped() {
             with_area(plan, &rough, &levelled)
@@ -42,20 +43,10 @@ pub fn roughened(plan: &mut BodyPlan, levelled: Levelled, sigma: f64, seed: u64,
             Levelled { before: levelled.before.clone(), ..Levelled::new(plan, &rough, corrects) }
         };
         let length = contour(plan, &found.pattern) / smooth;
-        let got = (length * length - 1.0).max(0.0);
-        let off = (got / asked - 1.0).abs();
-        if best.as_ref().is_none_or(|(least, _)| off < *least) {
-            best = Some((off, found));
+        if !search.tried(found, length * length - 1.0) {
+            return search.best().unwrap_or(levelled);
         }
-        // Waves along an edge lengthen it by the square of their height.
-        let next = amount * (asked / got.max(1e-3)).sqrt();
-        let next = next.clamp(0.3 * amount, 3.0 * amount).min(f64::from(Roughening::MOST));
-        if off < NEAR || next == amount {
-            break;
-        }
-        amount = next;
     }
-    best.map_or(levelled, |(_, rough)| rough)
 }
 
 /// Stripes of the area that they had. Their width is that of before: edges that are longer would make it smaller.

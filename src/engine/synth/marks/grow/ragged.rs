@@ -6,6 +6,7 @@ use crate::attributes::Attributes;
 use crate::grid::Field;
 use crate::measure::{Regions, spot_raggedness_at, widths};
 use crate::points::roughened::Roughening;
+use crate::synth::edge_search::EdgeSearch;
 use crate::synth::marks::GrownMarks;
 use crate::synth::marks::grow::measured::measured;
 use crate::synth::marks::grow::ragged_edges::Ragged;
@@ -16,12 +17,6 @@ use crate::synth::pattern::EDGE;
 const CELLS: f64 = 12.0;
 /// Most cells of that grid, as a multiple of the canvas' px: finer lobes cannot be seen.
 const MOST: f64 = 1.0;
-/// The first amplitude: that of a Holstein's edges on most systems.
-pub const FIRST: f64 = 0.12;
-/// Most amplitudes that are tried. With the third one the error of the raggedness is below [`NEAR`] where it can be reached.
-pub const TRIES: usize = 5;
-/// Largest relative error of the excess of the raggedness that is accepted.
-pub const NEAR: f64 = 0.03;
 /// Combined with the layer's seed, so that the noise of the edges has random numbers of its own.
 pub const SEED: u64 = 0x7261_6767_6564_3A31;
 
@@ -32,11 +27,7 @@ pub struct RaggedSearch {
     asked: f64,
     smooth: Field,
     roughening: Roughening,
-    /// The amplitude that is tried next.
-    amount: f64,
-    /// The best amplitude so far: its error and the pattern.
-    best: Option<(f64, Field)>,
-    tries: usize,
+    search: EdgeSearch<Field>,
 }
 
 impl RaggedSearch {
@@ -48,13 +39,13 @@ impl RaggedSearch {
         let smooth = layer.whole_pattern().field(width, height);
         let radius = |at: [f64; 2]| radius(&plan.lookup.map.at(at));
         let roughening = Roughening::new(&smooth, &radius, seed ^ SEED);
-        Self { layer, asked, smooth, roughening, amount: FIRST, best: None, tries: 0 }
+        Self { layer, asked, smooth, roughening, search: EdgeSearch::new(asked - 1.0) }
     }
 
     /// The share of the tries that are done, 0..1.
     #[must_use]
     pub fn progress(&self) -> f64 {
-        self.tries as f64 / TRIES as f64
+        self.search.progress()
     }
 
     /// Cells that a try measures.
@@ -67,31 +58,17 @@ impl RaggedSearch {
     pub fn advance(&mut self) -> bool {
         let plan = &self.layer.plan;
         let radius = |at: [f64; 2]| radius(&plan.lookup.map.at(at));
-        let rough = self.roughening.by(&self.smooth, &radius, self.amount as f32);
-        let excess = mean(plan, &self.smooth, &rough).map_or(0.0, |got| (got - 1.0).max(0.0));
-        let off = (excess / (self.asked - 1.0) - 1.0).abs();
-        if self.best.as_ref().is_none_or(|(least, _)| off < *least) {
-            self.best = Some((off, rough));
-        }
-        let (amount, most) = (self.amount, f64::from(Roughening::MOST));
-        // Waves along an edge lengthen it by the square of their height.
-        let next = (amount * ((self.asked - 1.0) / excess.max(1e-3)).sqrt())
-            .clamp(0.3 * amount, 3.0 * amount)
-            .min(most);
-        self.tries += 1;
-        if off < NEAR || next == amount {
-            return false;
-        }
-        self.amount = next;
-        self.tries < TRIES
+        let rough = self.roughening.by(&self.smooth, &radius, self.search.amount() as f32);
+        let excess = mean(plan, &self.smooth, &rough).map_or(0.0, |got| got - 1.0);
+        self.search.tried(rough, excess)
     }
 
     /// The layer with the best edges, measured anew.
     #[must_use]
     pub fn complete(self) -> GrownMarks {
-        let Self { layer, asked, smooth, best, .. } = self;
+        let Self { layer, asked, smooth, search, .. } = self;
         let plan = &layer.plan;
-        let Some((_, rough)) = best else { return layer };
+        let Some(rough) = search.best() else { return layer };
         let got = by_region(plan, &smooth, &rough);
         let added = rough.values.iter().zip(&smooth.values).map(|(rough, smooth)| rough - smooth).collect();
         let added = Field::new(&smooth.grid(), added);
