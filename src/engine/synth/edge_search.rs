@@ -83,10 +83,10 @@ mod tests {
     }
 
     #[test]
-    fn an_amplitude_that_lengthens_edges_by_its_square_is_found_at_once() {
+    fn an_amplitude_that_lengthens_edges_by_its_square_is_found_in_three_tries() {
         for (asked, factor) in [(0.1, 8.0), (0.5, 8.0), (0.3, 2.0)] {
             let (tries, amount) = search(asked, factor);
-            assert!(tries <= 2, "{tries}");
+            assert!(tries <= 3, "{tries}");
             assert!((factor * amount * amount / asked - 1.0).abs() < NEAR, "{amount}");
         }
     }

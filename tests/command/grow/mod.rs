@@ -35,6 +35,7 @@ mod running;
 mod seeding;
 mod sketches;
 mod spread;
+mod stripe_shapes;
 mod textures;
 mod tips;
 mod tone;
