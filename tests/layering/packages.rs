@@ -48,6 +48,7 @@ pub const ADDRESSES: [(&str, &[&str]); 43] = [
     ("gltf", &["src/engine/surface/model/gltf"]),
     ("indicatif", &["src/cli/", "data-gen/"]),
     ("kurbo", &["src/engine/export/"]),
+    ("libc", &["src/machine/memory.rs"]),
     ("miniz_oxide", &["src/engine/document/link.rs", "src/engine/sketch/svg/text.rs"]),
     (
         "nalgebra",

@@ -60,7 +60,7 @@ mod tests {
     use crate::grid::Edges as Borders;
 
     #[test]
-    fn depths_inside_and_outside_of_a_disc_are_exact_within_half_a_cell() {
+    fn depths_inside_and_outside_of_a_disc_are_exact_within_a_cell() {
         let depth = |[x, y]: [f64; 2]| 20.3 - libm::hypot(x - 32.2, y - 31.6);
         let disc = Field::from_fn([64, 64], [1.0, 1.0], Borders::Closed, |at| {
             (0.5 + depth(at) / 8.0).clamp(0.0, 1.0) as f32
@@ -72,7 +72,7 @@ mod tests {
             assert_eq!(edges.is_inside(cell), depth(at) >= 0.0);
             assert_ne!(edges.is_inside(cell), edges.is_inside(beside));
             // The nearest cell on the other side is not quite in the direction of the nearest place of the edge.
-            assert!((found - depth(at)).abs() < 0.5, "{at:?}: {found} {}", depth(at));
+            assert!((found - depth(at)).abs() < 0.75, "{at:?}: {found} {}", depth(at));
         }
     }
 

@@ -50,6 +50,12 @@ const INNER: f64 = 0.5;
 const RISE: f64 = 0.6;
 /// The largest growth of a stripe at each side, in half of the gap beside it: two wide stripes side by side stay apart.
 const ROOM: f64 = 0.65;
+/// The least half width from which the pattern falls to an edge, in that of the stripe.
+const THIN: f64 = 0.3;
+/// Where stripes end or are thin, gaps are wide: a slope over the whole gap would show where the stripe was. It is shorter by this
+/// share, where `vary` and `double` add up to [`STEEP`], and as long as it was where nothing varies.
+const STEEPER: f64 = 0.7;
+const STEEP: f64 = 0.3;
 /// Radius of the noise of widths and of openings, in periods. Shorter waves make chains of beads.
 const RADII: [f64; 2] = [0.5, 0.7];
 /// Places along a stripe whose noise is averaged, to each side, and the distance of two, in periods: waves of about 2.4 and 3.6
@@ -77,9 +83,10 @@ pub fn varied(stripes: &Field, by: &StripeVariation, seed: u64) -> Field {
         let level = exceeded(&noise, &depths, by.double);
         noise.into_iter().map(|noise| (noise - level) / RISE as f32).collect::<Vec<_>>()
     });
+    let fall = 1.0 - STEEPER * ((by.vary + by.double) / STEEP).min(1.0);
     let value = |cell: usize| {
         let open = u.as_ref().map_or(-1.0, |u| f64::from(u[cell]));
-        value(&widths, cell, f64::from(depths[cell]), by.vary * f64::from(n[cell]), open)
+        value(&widths, cell, f64::from(depths[cell]), [by.vary * f64::from(n[cell]), open], fall)
     };
     let values = (0..grid.cells()).into_par_iter().map(value).collect();
     let mut out = Field { values, ..stripes.clone() };
@@ -87,20 +94,24 @@ pub fn varied(stripes: &Field, by: &StripeVariation, seed: u64) -> Field {
     out
 }
 
-/// The pattern at a cell of this `depth`, where the width differs by the factor 1 + `wider`, and the stripe opens by `open`.
-fn value(widths: &StripeWidths, cell: usize, depth: f64, wider: f64, open: f64) -> f32 {
+/// The pattern at a cell of this `depth`, where the width differs by the factor 1 + `wider`, and the stripe opens by `open`. It
+/// reaches 0 within the share `fall` of the half of a gap.
+fn value(widths: &StripeWidths, cell: usize, depth: f64, [wider, open]: [f64; 2], fall: f64) -> f32 {
     let [half, gap] = [0, 1].map(|side| f64::from(widths.halves[side][cell]));
     let wider = half * (1.0 + wider + OPENED * (open + 0.5).clamp(0.0, 1.0));
     let wider = wider.min(half + ROOM * gap);
-    let inner = wider * open.clamp(-1.0, INNER);
+    let inner = wider.max(0.0) * open.clamp(-1.0, INNER);
     let from_middle = half - depth;
     let ink = (wider - from_middle).min(from_middle.max(0.0) - inner);
+    // Thin stripes and the halves of open ones are as dark in their middle as others, and thin openings nearly as light.
+    let thick = if inner > 0.0 { 0.5 * (wider - inner) } else { wider };
+    let least = THIN * half;
     let over = if ink > 0.0 {
-        half
+        thick.clamp(least, half)
     } else if from_middle < inner {
-        inner
+        inner.max(least)
     } else {
-        gap
+        fall * gap
     };
     (0.5 + 0.5 * ink / over).clamp(0.0, 1.0) as f32
 }
@@ -189,11 +200,18 @@ mod tests {
         })
     }
 
+    /// The share of the way between two px that is above the edge.
+    fn above(from: f32, to: f32) -> f64 {
+        let [from, to] = [from, to].map(|value| f64::from(value - EDGE));
+        let (low, high) = (from.min(to), from.max(to));
+        if low >= 0.0 { 1.0 } else { high.max(0.0) / (high - low).max(1e-9) }
+    }
+
     /// The ink of each stripe in each row, px, and the number of its pieces.
     fn in_rows(field: &Field) -> Vec<(f64, usize)> {
         let of = |row: &[f32], stripe: usize| {
-            let px: Vec<f32> = (0..24).map(|x| row[(stripe * 24 + x + 480 - 7) % 480]).collect();
-            let ink = px.iter().map(|value| f64::from((0.5 + 10.0 * (value - 0.5)).clamp(0.0, 1.0))).sum();
+            let px: Vec<f32> = (0..25).map(|x| row[(stripe * 24 + x + 480 - 7) % 480]).collect();
+            let ink = px.windows(2).map(|ends| above(ends[0], ends[1])).sum();
             let begins = |x: usize| px[x] >= EDGE && (x == 0 || px[x - 1] < EDGE);
             (ink, (0..24).filter(|x| begins(*x)).count())
         };

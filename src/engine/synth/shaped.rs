@@ -61,8 +61,9 @@ impl Shapes {
             let px = extent[axis].round() as usize;
             ((grid[axis] as f64 * finer).ceil() as usize).clamp(grid[axis], grid[axis].max(px))
         });
-        let varied = varied(&pattern.field(size[0], size[1]), &self.variation, seed ^ SEED);
-        if self.ragged > 0.0 { roughened(varied, self.ragged, seed ^ SEED) } else { varied }
+        let stripes = pattern.field(size[0], size[1]);
+        let stripes = if self.ragged > 0.0 { roughened(stripes, self.ragged, seed ^ SEED) } else { stripes };
+        varied(&stripes, &self.variation, seed ^ SEED)
     }
 }
 
