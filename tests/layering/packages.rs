@@ -10,7 +10,7 @@ use crate::sources::{ENGINE, module, root, sources};
 
 /// The paths, or beginnings of paths, in which each external package may be named. Tests inside source files may name
 /// any package.
-pub const ADDRESSES: [(&str, &[&str]); 43] = [
+pub const ADDRESSES: [(&str, &[&str]); 44] = [
     ("ab_glyph", &["src/cli/sheet/"]),
     (
         "base64",
