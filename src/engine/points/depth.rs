@@ -38,7 +38,11 @@ impl<'a> Edges<'a> {
         let (to, side) = if self.inside[cell] { (&self.to[1], 1.0) } else { (&self.to[0], -1.0) };
         let (beside, _) = self.grid.step(cell, to[cell])?;
         // The edge lies between the two cells, where the pattern is ½.
-        Some((side * (length(to[cell], &self.grid) - self.beyond(beside)).max(0.0), beside))
+        let away = length(to[cell], &self.grid);
+        let depth = (away - self.beyond(beside)).max(0.0);
+        // Next to the edge, the nearest cell on its other side may lie along it rather than across.
+        let next = away < 1.5 * self.grid.px_a_cell();
+        Some((side * if next { depth.min(self.beyond(cell)) } else { depth }, beside))
     }
 
     /// The distance of the edge from a cell that lies beside it, px.

@@ -75,7 +75,7 @@ pub fn varied(stripes: &Field, by: &StripeVariation, seed: u64) -> Field {
     let noise = |which: usize, seed: u64| {
         let radius = RADII[which] * widths.period();
         let noise = Noise { radius, octaves: 1, fold: false, seed }.field(&grid);
-        normalised(lengthened(&noise, &along, STEP * widths.period(), PLACES[which]), &depths)
+        normalised(lengthened(&noise, &along, STEP * widths.period(), PLACES[which], widths.mean[0]), &depths)
     };
     let n = noise(0, seed);
     let u = (by.double > 0.0).then(|| {
@@ -140,8 +140,9 @@ fn directions(depths: &[f32], grid: &Grid, reach: f64) -> Vec<[f32; 2]> {
     cos.par_iter().zip(&sin).map(along).collect()
 }
 
-/// The `noise`, averaged at each cell over 2·`places` + 1 places, `step` px apart, on a line that follows the directions.
-fn lengthened(noise: &Field, along: &[[f32; 2]], step: f64, places: usize) -> Vec<f32> {
+/// The `noise`, averaged at each cell over 2·`places` + 1 places, `step` px apart, on a line that follows the directions, and over
+/// `half` px across it.
+fn lengthened(noise: &Field, along: &[[f32; 2]], step: f64, places: usize, half: f64) -> Vec<f32> {
     let grid = noise.grid();
     let canvas = grid.bounds_px();
     let walk = |cell: usize, side: f32| {
@@ -160,8 +161,9 @@ fn lengthened(noise: &Field, along: &[[f32; 2]], step: f64, places: usize) -> Ve
     let mean =
         |cell: usize| (noise.values[cell] + walk(cell, 1.0) + walk(cell, -1.0)) / (2 * places + 1) as f32;
     let means: Vec<f32> = (0..grid.cells()).into_par_iter().map(mean).collect();
-    // Places are rounded to cells.
-    boxes(&means, grid.size, grid.edges, 1)
+    // Both edges of a stripe move alike. Besides, places are rounded to cells.
+    let radius = (half / grid.px_a_cell()).round().max(1.0) as usize;
+    boxes(&means, grid.size, grid.edges, radius.min(grid.size[0].min(grid.size[1])))
 }
 
 /// The noise with the mean 0 and the deviation 1 inside the marks.
