@@ -74,10 +74,11 @@ class Grows:
         self.report({"ERROR"}, str(error))
         return {"CANCELLED"}
 
-    def options(self) -> dict[str, int]:
+    # Blender's own operators have properties called options and name.
+    def given_seed(self) -> dict[str, int]:
         return {} if self.seed < 0 else {"seed": self.seed}
 
-    def name(self) -> str:
+    def stem(self) -> str:
         return Path(self.filepath).stem or "dapple"
 
 
@@ -106,19 +107,21 @@ class GrowOnMesh(Grows, bpy.types.Operator):
         scene.write_obj(self.target, model)
         document = dapple.read(self.filepath)
         document["model"] = {**kept(document), "file": "mesh.obj", "px": self.px, "up": "z"}
+        folder, mesh, seed = self.folder.name, self.target.name, self.given_seed()
+        size, relief = [self.texels] * 2, self.relief
 
         def grow(progress: Any) -> Any:
-            grown = dapple.grow_on_model(document, model=model, progress=progress, **self.options())
+            grown = dapple.grow_on_model(document, model=model, progress=progress, **seed)
             if grown.unfit:
-                message = f"{self.target.name}: {grown.unfit}; allowed: coordinates from 0 to 1, without overlaps"
+                message = f"{mesh}: {grown.unfit}; allowed: coordinates from 0 to 1, without overlaps"
                 raise OSError(message)
-            grown.material(self.folder.name, name="map", size=[self.texels] * 2, relief=self.relief)
+            grown.material(folder, name="map", size=size, relief=relief)
             return grown
 
         return grow
 
     def place(self, context: Any, grown: Any) -> None:
-        material = scene.material(self.name(), Path(self.folder.name), "map")
+        material = scene.material(self.stem(), Path(self.folder.name), "map")
         scene.put_on(self.target, material)
 
 
@@ -138,17 +141,19 @@ class GrowOnPlane(Grows, bpy.types.Operator):
 
     def work(self, context: Any) -> Any:
         """Return what to do on a thread: it touches nothing of Blender's."""
+        path, folder, seed = self.filepath, self.folder.name, self.given_seed()
+        relief, scale = self.relief, self.scale
 
         def grow(progress: Any) -> Any:
-            grown = dapple.grow(self.filepath, progress=progress, **self.options())
-            grown.material(self.folder.name, name="map", relief=self.relief, scale=self.scale)
+            grown = dapple.grow(path, progress=progress, **seed)
+            grown.material(folder, name="map", relief=relief, scale=scale)
             return grown
 
         return grow
 
     def place(self, context: Any, grown: Any) -> None:
-        material = scene.material(self.name(), Path(self.folder.name), "map")
-        scene.put_on(scene.plane(context, self.name(), grown.size), material)
+        material = scene.material(self.stem(), Path(self.folder.name), "map")
+        scene.put_on(scene.plane(context, self.stem(), grown.size), material)
 
 
 class Panel(bpy.types.Panel):

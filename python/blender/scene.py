@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -24,7 +25,8 @@ def ensure_texture_coordinates(context: Any, target: Any) -> None:
     context.view_layer.objects.active = target
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="SELECT")
-    bpy.ops.uv.smart_project(island_margin=0.005)
+    # With its default of 66° some pieces overlap themselves.
+    bpy.ops.uv.smart_project(angle_limit=math.radians(45), island_margin=0.005)
     bpy.ops.object.mode_set(mode="OBJECT")
 
 

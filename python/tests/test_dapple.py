@@ -15,6 +15,8 @@ import pytest
 import dapple
 
 ROOT = Path(__file__).parents[2]
+# The ellipses are dense: by default they are patches, which take fifty times as long on a model.
+SPOTS = "meinhardt-spots"
 PROGRAM = os.environ.get("DAPPLE", "dapple")
 
 
@@ -156,6 +158,7 @@ SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 
 
 def test_a_model_has_what_the_command_line_grows_on_it(tmp_path):
     document = spots(model={"file": "square.obj", "px": 200})
+    document["layers"][0]["system"] = SPOTS
     (tmp_path / "square.obj").write_text(SQUARE)
     (tmp_path / "a.dapple").write_text(json.dumps(document))
     run = [PROGRAM, "grow", "a.dapple", "-o", "a.glb", "--size", "128x128", "-q"]
@@ -171,7 +174,9 @@ def test_a_model_has_what_the_command_line_grows_on_it(tmp_path):
 
 
 def test_a_model_without_texture_coordinates_says_so_and_has_automatic_ones(tmp_path):
-    grown = dapple.grow_on_model(spots(model={"file": "animal", "px": 300}))
+    document = spots(model={"file": "animal", "px": 300})
+    document["layers"][0]["system"] = SPOTS
+    grown = dapple.grow_on_model(document)
     assert "no texture coordinates" in grown.unfit
     grown.save(tmp_path / "animal.obj", size=[64, 64])
     assert "vt " in (tmp_path / "animal.obj").read_text()
