@@ -90,12 +90,12 @@ mod tests {
         };
         let mut layer = Layer::default();
         assert_eq!(offered(&layer, Some(Kind::Ellipse)), ["spread", "irregular", "keep", "ragged"]);
-        assert_eq!(offered(&layer, Some(Kind::Line)), ["duty", "seeding", "keep", "ragged"]);
+        assert_eq!(offered(&layer, Some(Kind::Line)), ["duty", "seeding", "keep", "vary", "double", "ragged"]);
         assert!(offered(&layer, None).is_empty());
         layer.system = SystemChoice::Of(System::MEINHARDT_LINES.description());
-        assert_eq!(offered(&layer, Some(Kind::Line)), ["duty", "keep", "ragged"]);
+        assert_eq!(offered(&layer, Some(Kind::Line)), ["duty", "keep", "vary", "double", "ragged"]);
         layer.after = After::Around;
-        assert_eq!(offered(&layer, Some(Kind::Line)), ["broken", "ragged"]);
+        assert_eq!(offered(&layer, Some(Kind::Line)), ["broken", "vary", "double", "ragged"]);
         layer = Layer { after: After::Inside, ..Layer::default() };
         assert_eq!(offered(&layer, Some(Kind::Ellipse)), ["spread", "ragged"]);
     }
