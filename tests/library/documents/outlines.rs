@@ -109,7 +109,7 @@ fn the_options_of_patches_are_written_as_they_were_read_and_refused_elsewhere() 
 }
 
 #[test]
-fn spots_and_stripes_of_reaction_and_diffusion_can_have_ragged_edges_and_others_cannot() {
+fn spots_stripes_and_streaks_can_have_ragged_edges_and_others_cannot() {
     let only = "\"drawn\". Only patches, streaks, and the spots and stripes of reaction and diffusion have ragged edges";
     let (ellipse, line) = (
         json!({"kind": "ellipse", "center": [60, 60], "radii": [12, 9]}),
@@ -125,7 +125,8 @@ fn spots_and_stripes_of_reaction_and_diffusion_can_have_ragged_edges_and_others_
         ("cells", &ellipse, false),
         ("weave", &line, false),
         ("maze", &line, false),
-        ("streaks", &line, false),
+        ("streaks", &line, true),
+        ("pair-stripes", &line, true),
         ("cracks", &line, false),
     ];
     for (system, stroke, takes) in systems {
