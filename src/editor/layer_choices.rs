@@ -90,7 +90,10 @@ mod tests {
         };
         let mut layer = Layer::default();
         assert_eq!(offered(&layer, Some(Kind::Ellipse)), ["spread", "irregular", "keep", "ragged"]);
-        assert_eq!(offered(&layer, Some(Kind::Line)), ["duty", "seeding", "keep", "vary", "double", "ragged"]);
+        assert_eq!(
+            offered(&layer, Some(Kind::Line)),
+            ["duty", "seeding", "keep", "vary", "double", "ragged"]
+        );
         assert!(offered(&layer, None).is_empty());
         layer.system = SystemChoice::Of(System::MEINHARDT_LINES.description());
         assert_eq!(offered(&layer, Some(Kind::Line)), ["duty", "keep", "vary", "double", "ragged"]);
