@@ -1,5 +1,7 @@
 //! The marks of a grown pattern, one by one: which px belong to which, and what each of them measures.
 
+use std::ops::Range;
+
 use super::kind::Kind;
 use crate::attributes::{Attribute, AttributeMap, Attributes, axial_mean};
 use crate::grid::{Field, UnionFind};
@@ -40,12 +42,7 @@ pub(super) fn marks(
     let fine = pattern.field(FINER * side, FINER * side);
     let regions = Regions::new(&fine);
     let found = spots(&field, EDGE);
-    let labels = regions.labels_of(&found);
-    let px = |index: usize| {
-        let [x, y] = [index % side, index / side].map(|along| along * FINER + FINER / 2);
-        labels[regions.of[y * FINER * side + x] as usize]
-    };
-    let mask: Vec<u16> = (0..side * side).map(px).collect();
+    let mask = regions.mask(&regions.labels_of(&found), side);
     let mut marks: Vec<LabelledMark> =
         found.iter().enumerate().map(|(index, spot)| mark(index, spot, map)).collect();
     if kind.is_striped() {
@@ -100,10 +97,17 @@ fn mean(all: &[Attributes]) -> Option<Attributes> {
     Some(Attributes::Stripes(crate::attributes::Stripes { width: of(Attribute::Width), angle, wavelength }))
 }
 
+/// Neighbouring samples of a row above the edge level.
+struct Run {
+    row: usize,
+    along: Range<usize>,
+    /// Its region: 1, 2, …
+    region: usize,
+}
+
 /// Connected samples above the edge level.
 struct Regions {
-    /// Region 1, 2, … of each sample; 0 = below.
-    of: Vec<u32>,
+    runs: Vec<Run>,
     /// Area, px², and centre, px, of each region; of region 0 nothing.
     seen: Vec<(f64, [f64; 2])>,
 }
@@ -112,46 +116,64 @@ impl Regions {
     /// Samples are connected if they share a side, or if they touch at a corner about which the mean of four is above the level: as
     /// in [`crate::measure::census`].
     fn new(fine: &Field) -> Self {
-        let (width, values) = (fine.width, &fine.values);
-        let mut sets = UnionFind::new(values.len());
-        let inside = |index: usize| values[index] >= EDGE;
-        for index in 0..values.len() {
-            let (left, up) = (!index.is_multiple_of(width), index >= width);
-            if inside(index) {
-                if left && inside(index - 1) {
-                    sets.join(index as u32 - 1, index as u32, [0, 0]);
-                }
-                if up && inside(index - width) {
-                    sets.join((index - width) as u32, index as u32, [0, 0]);
-                }
-            }
-            if left && up {
-                let four = [index, index - 1, index - width, index - width - 1];
-                let is_bridge = four.iter().map(|one| values[*one]).sum::<f32>() >= 4.0 * EDGE;
-                for [a, b] in [[four[0], four[3]], [four[1], four[2]]] {
-                    if is_bridge && inside(a) && inside(b) {
-                        sets.join(a as u32, b as u32, [0, 0]);
+        let values = &fine.values;
+        let (mut sets, mut runs) = (UnionFind::default(), Vec::<Run>::new());
+        let mut above = 0..0;
+        for (row, line) in values.chunks_exact(fine.width).enumerate() {
+            let first = runs.len();
+            for along in runs_of(line) {
+                let own = sets.add();
+                above.start +=
+                    runs[above.clone()].iter().take_while(|run| run.along.end < along.start).count();
+                for other in above.clone().take_while(|other| runs[*other].along.start <= along.end) {
+                    let beside = &runs[other].along;
+                    let corner = beside.start.max(along.start);
+                    // Runs that overlap, or whose ends touch at the corner left of a sample.
+                    if corner < beside.end.min(along.end)
+                        || is_bridge(values, row * fine.width + corner, fine.width)
+                    {
+                        sets.join(other as u32, own, [0, 0]);
                     }
                 }
+                runs.push(Run { row, along, region: 0 });
             }
+            above = first..runs.len();
         }
-        let mut regions = Self { of: vec![0; values.len()], seen: vec![(0.0, [0.0; 2])] };
-        let cell = fine.cell[0] * fine.cell[1];
-        let mut name = vec![0; values.len()];
-        for index in (0..values.len()).filter(|index| inside(*index)) {
-            let root = sets.find(index as u32).0 as usize;
-            if name[root] == 0 {
-                name[root] = regions.seen.len() as u32;
-                regions.seen.push((0.0, [0.0; 2]));
-            }
-            regions.of[index] = name[root];
-            let (area, sum) = &mut regions.seen[name[root] as usize];
-            *area += cell;
-            let at = [index % width, index / width];
-            *sum = [0, 1].map(|axis| sum[axis] + cell * (at[axis] as f64 + 0.5) * fine.cell[axis]);
-        }
-        regions.seen.iter_mut().skip(1).for_each(|(area, sum)| *sum = sum.map(|along| along / *area));
+        let mut regions = Self { runs, seen: vec![(0.0, [0.0; 2])] };
+        regions.add_up(&mut sets, fine.cell);
         regions
+    }
+
+    /// Numbers the regions of the runs that were joined in `sets`, and adds up samples of `cell` px.
+    fn add_up(&mut self, sets: &mut UnionFind, cell: [f64; 2]) {
+        for index in 0..self.runs.len() {
+            // The lowest run stands for a set, so it comes first.
+            let root = sets.find(index as u32).0 as usize;
+            if root == index {
+                self.runs[index].region = self.seen.len();
+                self.seen.push((0.0, [0.0; 2]));
+            }
+            let region = self.runs[root].region;
+            let run = &mut self.runs[index];
+            run.region = region;
+            let own = run.along.len() as f64 * cell[0] * cell[1];
+            let middle = [0.5 * (run.along.start + run.along.end) as f64, run.row as f64 + 0.5];
+            let (area, sum) = &mut self.seen[region];
+            *area += own;
+            *sum = [0, 1].map(|axis| sum[axis] + own * middle[axis] * cell[axis]);
+        }
+        self.seen.iter_mut().skip(1).for_each(|(area, sum)| *sum = sum.map(|along| along / *area));
+    }
+
+    /// For each px of a canvas of `side` px the label of its region, of those of all regions: that of the sample in its middle.
+    fn mask(&self, labels: &[u16], side: usize) -> Vec<u16> {
+        let mut mask = vec![0; side * side];
+        for run in self.runs.iter().filter(|run| run.row % FINER == FINER / 2) {
+            let first = run.row / FINER * side;
+            let [start, end] = [run.along.start, run.along.end].map(|along| (along + FINER / 2) / FINER);
+            mask[first + start..first + end].fill(labels[run.region]);
+        }
+        mask
     }
 
     /// The label of each region: that of the spot with nearly its centre and area, 0 for specks.
@@ -169,4 +191,23 @@ impl Regions {
         };
         self.seen.iter().enumerate().map(|(region, seen)| if region == 0 { 0 } else { label(seen) }).collect()
     }
+}
+
+/// The runs of samples of a row that are above the edge level, from left to right.
+fn runs_of(line: &[f32]) -> impl Iterator<Item = Range<usize>> {
+    let next_from = |from: usize, inside: bool| {
+        line[from..].iter().position(|value| (*value >= EDGE) == inside).map(|steps| from + steps)
+    };
+    let mut from = 0;
+    std::iter::from_fn(move || {
+        let start = next_from(from, true)?;
+        from = next_from(start, false).unwrap_or(line.len());
+        Some(start..from)
+    })
+}
+
+/// Whether the mean of the four samples about the upper left corner of a sample is above the level.
+fn is_bridge(values: &[f32], index: usize, width: usize) -> bool {
+    [index, index - 1, index - width, index - width - 1].map(|one| values[one]).iter().sum::<f32>()
+        >= 4.0 * EDGE
 }

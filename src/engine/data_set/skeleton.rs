@@ -5,13 +5,10 @@
 use crate::grid::distance::nearest;
 use crate::grid::{Edges, Grid};
 
-/// The eight neighbours, clockwise from the one above.
-pub const AROUND: [[isize; 2]; 8] = [[0, -1], [1, -1], [1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1]];
-
-/// A skeleton, and how thick the mask is about it.
+/// A skeleton, and how thick the mask is about it. A border of samples that are off surrounds the canvas.
 pub struct Skeleton {
-    /// Samples along each side.
-    pub side: usize,
+    /// Samples of a row, with those of the border.
+    pub width: usize,
     /// Whether a sample is of the skeleton.
     pub on: Vec<bool>,
     /// Distance from each sample of the mask to the nearest one outside, samples.
@@ -24,72 +21,97 @@ impl Skeleton {
         let outside: Vec<bool> = mask.iter().map(|inside| !inside).collect();
         let grid = Grid::unit([side, side], Edges::Closed);
         let offsets = nearest(&outside, &grid).unwrap_or_else(|| vec![[side as i32, 0]; mask.len()]);
-        let radius = offsets.iter().map(|[x, y]| ((x * x + y * y) as f32).sqrt()).collect();
-        let mut skeleton = Self { side, on: mask.to_vec(), radius };
+        let width = side + 2;
+        let mut skeleton = Self { width, on: vec![false; width * width], radius: vec![0.0; width * width] };
+        for row in 0..side {
+            let (from, to) = (row * side, (row + 1) * width + 1);
+            skeleton.on[to..to + side].copy_from_slice(&mask[from..from + side]);
+            let radius = skeleton.radius[to..to + side].iter_mut().zip(&offsets[from..from + side]);
+            radius.for_each(|(radius, [x, y])| *radius = ((x * x + y * y) as f32).sqrt());
+        }
         skeleton.thin();
         skeleton
     }
 
-    /// The samples around one that are on, clockwise; those beyond the border are off.
-    pub fn around(&self, index: usize) -> [bool; 8] {
-        let at = [index % self.side, index / self.side];
-        AROUND.map(|step| {
-            let to = [0, 1].map(|axis| at[axis].wrapping_add_signed(step[axis]));
-            to[0] < self.side && to[1] < self.side && self.on[to[1] * self.side + to[0]]
-        })
+    /// The place of the middle of a sample on the canvas, samples.
+    pub fn place(&self, index: usize) -> [f64; 2] {
+        [index % self.width, index / self.width].map(|along| along as f64 - 0.5)
+    }
+
+    /// The sample at a place, or the nearest one of the canvas.
+    pub fn at(&self, place: [f64; 2]) -> usize {
+        let [x, y] = place.map(|along| (along.max(0.0) as usize).min(self.width - 3) + 1);
+        y * self.width + x
+    }
+
+    /// The indices of the eight samples around one of the canvas, clockwise from the one above.
+    fn beside(&self, index: usize) -> [usize; 8] {
+        let (above, below) = (index - self.width, index + self.width);
+        [above, above + 1, index + 1, below + 1, below, below - 1, index - 1, above - 1]
+    }
+
+    /// A bit for each of the eight samples around one, clockwise from the one above: whether it is on.
+    fn around(&self, index: usize) -> u8 {
+        let beside = self.beside(index).into_iter().enumerate();
+        beside.fold(0, |bits, (bit, index)| bits | u8::from(self.on[index]) << bit)
     }
 
     /// The samples of the skeleton around one of it.
     pub fn neighbours(&self, index: usize) -> impl Iterator<Item = usize> + '_ {
-        let steps = self.around(index).into_iter().zip(AROUND).filter(|(on, _)| *on);
-        steps.map(move |(_, [x, y])| index.wrapping_add_signed(y * self.side as isize + x))
+        self.beside(index).into_iter().filter(|index| self.on[*index])
     }
 
     /// How many lines begin at a sample: changes from off to on around it.
-    pub fn branches(&self, index: usize) -> usize {
-        let around = self.around(index);
-        (0..8).filter(|k| !around[*k] && around[(k + 1) % 8]).count()
+    pub fn branches(&self, index: usize) -> u32 {
+        lines(self.around(index))
     }
 
     fn thin(&mut self) {
-        let all: Vec<usize> = (0..self.on.len()).filter(|index| self.on[*index]).collect();
+        let removable = [false, true].map(|second| {
+            let mut bits = 0..=u8::MAX;
+            [(); 256].map(|()| bits.next().is_some_and(|bits| is_removed(bits, second)))
+        });
+        let edge = (0..self.on.len()).filter(|index| self.on[*index] && !self.is_inner(*index)).collect();
         // Around the samples that each of the last two passes has removed: any others stay, as they did two passes ago.
-        let mut changed = [Vec::new(), all];
-        let mut second = false;
+        let mut changed = [Vec::new(), edge];
+        let mut seen = vec![0; self.on.len()];
+        let mut pass = 0;
         while changed.iter().any(|samples| !samples.is_empty()) {
-            let near = changed.iter().flatten().copied();
-            let removed: Vec<usize> =
-                near.filter(|index| self.on[*index] && self.is_removed(*index, second)).collect();
+            let is_removed =
+                |index: &usize| self.on[*index] && removable[pass % 2][usize::from(self.around(*index))];
+            let removed: Vec<usize> = changed.iter().flatten().copied().filter(is_removed).collect();
             removed.iter().for_each(|index| self.on[*index] = false);
-            let mut around: Vec<usize> = removed.iter().flat_map(|index| self.neighbours(*index)).collect();
-            around.sort_unstable();
-            around.dedup();
+            pass += 1;
+            let mut around = Vec::new();
+            for index in removed.iter().flat_map(|index| self.neighbours(*index)) {
+                if std::mem::replace(&mut seen[index], pass) != pass {
+                    around.push(index);
+                }
+            }
             let [_, before] = changed;
             changed = [before, around];
-            second = !second;
         }
     }
 
     /// Whether the four samples beside a sample are on; no pass removes it then.
     fn is_inner(&self, index: usize) -> bool {
-        let [x, y] = [index % self.side, index / self.side];
-        let within = |along: usize| along > 0 && along + 1 < self.side;
-        let beside = || [index - 1, index + 1, index - self.side, index + self.side];
-        within(x) && within(y) && beside().iter().all(|other| self.on[*other])
+        self.around(index) & BESIDE == BESIDE
     }
+}
 
-    /// Whether a pass removes a sample: P2 … P9 of the paper are its neighbours clockwise from above.
-    fn is_removed(&self, index: usize, second: bool) -> bool {
-        if self.is_inner(index) {
-            return false;
-        }
-        let p = self.around(index);
-        let count = p.iter().filter(|on| **on).count();
-        let lines = (0..8).filter(|k| !p[*k] && p[(k + 1) % 8]).count();
-        let [up, right, down, left] = [p[0], p[2], p[4], p[6]];
-        let sides = if second { !(up && left && (right || down)) } else { !(right && down && (up || left)) };
-        (2..=6).contains(&count) && lines == 1 && sides
-    }
+/// The bits of the samples above, to the right, below and to the left.
+const BESIDE: u8 = 0b0101_0101;
+
+/// How many lines begin at a sample with these around it.
+fn lines(around: u8) -> u32 {
+    (!around & around.rotate_right(1)).count_ones()
+}
+
+/// Whether a pass removes a sample with these around it: bits 0 … 7 are P2 … P9 of the paper.
+fn is_removed(around: u8, second: bool) -> bool {
+    let [up, right, down, left] = [0, 2, 4, 6].map(|bit| around >> bit & 1 == 1);
+    let sides = if second { !(up && left && (right || down)) } else { !(right && down && (up || left)) };
+    (2..=6).contains(&around.count_ones()) && lines(around) == 1 && sides
 }
 
 #[cfg(test)]
@@ -103,9 +125,9 @@ mod tests {
             .map(|index| (10..50).contains(&(index % side)) && (26..35).contains(&(index / side)))
             .collect();
         let skeleton = Skeleton::new(&mask, side);
-        let on: Vec<usize> = (0..side * side).filter(|index| skeleton.on[*index]).collect();
-        let middle = on.iter().filter(|index| **index / side == 30).count();
+        let on: Vec<usize> = (0..skeleton.on.len()).filter(|index| skeleton.on[*index]).collect();
+        let middle = on.iter().filter(|index| skeleton.place(**index)[1] == 30.5).count();
         assert!((30..=42).contains(&middle) && on.len() < middle + 20, "{middle} of {}", on.len());
-        assert_eq!(skeleton.radius[30 * side + 30], 5.0);
+        assert_eq!(skeleton.radius[skeleton.at([30.5, 30.5])], 5.0);
     }
 }

@@ -97,10 +97,6 @@ fn line_from(skeleton: &Skeleton, start: usize, most: usize) -> Vec<usize> {
     line
 }
 
-fn place(skeleton: &Skeleton, index: usize) -> [f64; 2] {
-    [index % skeleton.side, index / skeleton.side].map(|along| along as f64 + 0.5)
-}
-
 /// Degrees of the direction from one place to another.
 fn direction(from: [f64; 2], to: [f64; 2]) -> f64 {
     libm::atan2(to[1] - from[1], to[0] - from[0]).to_degrees().rem_euclid(360.0)
@@ -114,7 +110,7 @@ fn end(skeleton: &Skeleton, index: usize) -> Option<Tip> {
     if (line.len() as f64) < f64::from(widest) {
         return None;
     }
-    let [tip, within] = [index, *line.last()?].map(|index| place(skeleton, index));
+    let [tip, within] = [index, *line.last()?].map(|index| skeleton.place(index));
     let angle = direction(within, tip);
     let (s, c) = libm::sincos(angle.to_radians());
     Some(Tip { kind: TipKind::End, at: [tip[0] + radius * c, tip[1] + radius * s], angle })
@@ -124,10 +120,10 @@ fn end(skeleton: &Skeleton, index: usize) -> Option<Tip> {
 fn forks(skeleton: &Skeleton, on: &[usize]) -> Vec<usize> {
     let mut forks: Vec<usize> = Vec::new();
     for index in on.iter().copied().filter(|index| skeleton.branches(*index) >= 3) {
-        let at = place(skeleton, index);
+        let at = skeleton.place(index);
         let near = ONE_FORK * f64::from(skeleton.radius[index]);
         let is_near = |other: &usize| {
-            let other = place(skeleton, *other);
+            let other = skeleton.place(*other);
             libm::hypot(at[0] - other[0], at[1] - other[1]) < near
         };
         if !forks.iter().any(is_near) {
@@ -139,7 +135,7 @@ fn forks(skeleton: &Skeleton, on: &[usize]) -> Vec<usize> {
 
 /// A fork; the two of its three lines between which the angle is smallest are those into which it opens.
 fn fork(skeleton: &Skeleton, index: usize) -> Option<Tip> {
-    let at = place(skeleton, index);
+    let at = skeleton.place(index);
     let reach = REACH * f64::from(skeleton.radius[index]);
     // Where the lines cross a ring about the fork.
     let ways = crossings(skeleton, index, reach);
@@ -150,11 +146,11 @@ fn fork(skeleton: &Skeleton, index: usize) -> Option<Tip> {
 
 /// Directions, degrees, of the places at which lines from a sample are first `reach` away.
 fn crossings(skeleton: &Skeleton, start: usize, reach: f64) -> Vec<f64> {
-    let at = place(skeleton, start);
+    let at = skeleton.place(start);
     let (mut seen, mut next) = (vec![start], vec![start]);
     let mut ways = Vec::new();
     while let Some(here) = next.pop() {
-        let to = place(skeleton, here);
+        let to = skeleton.place(here);
         if libm::hypot(to[0] - at[0], to[1] - at[1]) >= reach {
             ways.push(direction(at, to));
             continue;
@@ -176,15 +172,15 @@ fn closest(ways: &[f64]) -> Option<[f64; 2]> {
 }
 
 fn is_inside(skeleton: &Skeleton, tip: &Tip) -> bool {
-    let at = tip.at.map(|along| (along.max(0.0) as usize).min(skeleton.side - 1));
+    let side = (skeleton.width - 2) as f64;
     // At the tip itself the stripe has no width: the widest place nearby counts.
-    let near = |[x, y]: [isize; 2]| {
-        let to = [0, 1].map(|axis| at[axis].saturating_add_signed([x, y][axis]).min(skeleton.side - 1));
-        f64::from(skeleton.radius[to[1] * skeleton.side + to[0]])
+    let near = |[x, y]: [i32; 2]| {
+        let to = [tip.at[0] + f64::from(x), tip.at[1] + f64::from(y)];
+        f64::from(skeleton.radius[skeleton.at(to)])
     };
     let around = (-6..=6).flat_map(|y| (-6..=6).map(move |x| [x, y]));
     let margin = MARGIN * around.map(near).fold(0.0, f64::max);
-    tip.at.iter().all(|along| (margin..skeleton.side as f64 - margin).contains(along))
+    tip.at.iter().all(|along| (margin..side - margin).contains(along))
 }
 
 #[cfg(test)]

@@ -38,14 +38,20 @@ pub fn note_on_layer(layer: &GrownLayer) -> Option<String> {
 #[must_use]
 pub fn note_on_picture(document: &Document, grown: &Grown) -> Option<String> {
     let painting = Painting::new(document, grown, 1).unfinished();
-    let height = painting.size[1];
+    let [width, height] = painting.size;
+    // The table of opaque colours is there already, or the picture needs it next.
+    let channels = if painting.is_opaque() { 3 } else { 4 };
     let mut colour = None;
     for first in (0..height).step_by(ROWS) {
-        let rgba = painting.rgba_rows(first..height.min(first + ROWS));
-        for px in rgba.as_chunks::<4>().0 {
-            if *colour.get_or_insert(*px) != *px {
-                return None;
-            }
+        let rows = first..height.min(first + ROWS);
+        let mut bytes = vec![0; channels * width * rows.len()];
+        match channels {
+            3 => painting.band(rows).paint(&mut bytes),
+            _ => bytes = painting.rgba_rows(rows),
+        }
+        let first = colour.get_or_insert_with(|| bytes[..channels].to_vec());
+        if bytes.chunks_exact(channels).any(|px| px != &first[..]) {
+            return None;
         }
     }
     Some(
