@@ -43,14 +43,19 @@ pub fn run(args: &Args) -> Result<(), String> {
     let table = Table::built_in()?;
     make_folder(&args.pictures)?;
     let rows: Vec<Row> = table.rows().collect();
-    let effects: Result<Vec<Effect>, String> =
-        rows.par_iter().map(|row| drawn(&table, row, &args.pictures)).collect();
-    let text = page::text(&table, &rows, &effects?);
+    let effects: Vec<_> = rows.par_iter().map(|row| shown(&table, row, &args.pictures)).collect();
+    let failed: Vec<&str> =
+        effects.iter().filter_map(|effect| effect.as_ref().err().map(String::as_str)).collect();
+    if !failed.is_empty() {
+        return Err(failed.join("\n"));
+    }
+    let effects: Vec<Effect> = effects.into_iter().flatten().collect();
+    let text = page::text(&table, &rows, &effects);
     files::save(&args.page, |out| Ok(out.write_all(text.as_bytes())?)).map_err(|error| error.to_string())
 }
 
 /// Grows a pair, writes its pictures into a folder and measures them.
-fn drawn(table: &Table, row: &Row, folder: &Path) -> Result<Effect, String> {
+fn shown(table: &Table, row: &Row, folder: &Path) -> Result<Effect, String> {
     let failed = |error: String| format!("{}: {error}", row.file());
     let grown = |which: usize| -> Result<Grown, String> {
         Grown::new(&document::parsed(&table.document(row, which)?, &row.file())?)

@@ -113,7 +113,7 @@ impl Row<'_> {
     /// The file of its pictures.
     pub fn file(&self) -> String {
         let name = format!("{} {}", self.section.object, self.pair.key).to_lowercase().replace(' ', "-");
-        if self.before == 0 { format!("{name}.jpg") } else { format!("{name}-{}.png", self.before + 1) }
+        if self.before == 0 { format!("{name}.png") } else { format!("{name}-{}.png", self.before + 1) }
     }
 
     /// The values in words.

@@ -8,7 +8,7 @@ use serde_json::Value;
 use super::document::parsed;
 use super::quantity::Quantity;
 use super::table::{Row, Table};
-use super::{drawn, page};
+use super::{page, shown};
 
 /// An object and one of its keys.
 type Key = (String, String);
@@ -79,10 +79,10 @@ fn the_effect_of_a_key_is_measured_and_drawn() {
     let folder = tempfile::tempdir().unwrap();
     let table = Table::built_in().unwrap();
     let row = pair(&table, "Points", "share");
-    let effect = drawn(&table, &row, folder.path()).unwrap().to_string();
+    let effect = shown(&table, &row, folder.path()).unwrap().to_string();
     assert!(effect.starts_with("ink 20.0 → 70.0 %; points 279 → 279; "), "{effect}");
-    let written = std::fs::read(folder.path().join("points-share.jpg")).unwrap();
-    assert_eq!(written[..2], [0xff, 0xd8]);
+    let written = std::fs::read(folder.path().join("points-share.png")).unwrap();
+    assert_eq!(written[..2], *b"\x89P");
 }
 
 #[test]
@@ -92,8 +92,8 @@ fn a_key_whose_pictures_look_equal_is_an_error() {
     let points = table.sections.iter_mut().find(|section| section.object == "Points").unwrap();
     let share = points.pairs.iter_mut().find(|pair| pair.key == "share").unwrap();
     share.values = [0.3, 0.3].map(Value::from);
-    let Err(error) = drawn(&table, &pair(&table, "Points", "share"), folder.path()) else {
+    let Err(error) = shown(&table, &pair(&table, "Points", "share"), folder.path()) else {
         panic!("no error")
     };
-    assert_eq!(error, "points-share.jpg: only 0.00 % of the px differ");
+    assert_eq!(error, "points-share.png: only 0.00 % of the px differ");
 }
