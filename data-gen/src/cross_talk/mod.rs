@@ -19,17 +19,15 @@ use subjects::{SUBJECTS, Subject};
 /// How many growths, and where to write the pages.
 #[derive(clap::Args)]
 pub struct Args {
-    /// Write one of the two pages
+    /// Write one of the two pages; that of the keys, docs/keys.md with assets/keys, at the root of the repository
     #[arg(long)]
     only: Option<Page>,
     /// Seeds for each value
     #[arg(long, default_value_t = 20)]
     seeds: u64,
-    /// The page
+    /// The page of the attributes
     #[arg(short, long, value_name = "OUT.md", default_value = "docs/cross-talk.md")]
     output: PathBuf,
-    #[command(flatten)]
-    keys: keys::Args,
 }
 
 /// A page.
@@ -50,7 +48,7 @@ pub fn run(args: &Args) -> Result<(), String> {
         attributes(args)?;
     }
     if args.only != Some(Page::Attributes) {
-        keys::run(&args.keys)?;
+        keys::run()?;
     }
     Ok(())
 }

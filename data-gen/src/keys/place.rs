@@ -5,20 +5,24 @@ use serde_json::{Map, Value};
 /// Puts a value at a place (RFC 6901); null removes a key. Objects and lists that are missing on the way are made, and the place after the
 /// last one of a list adds to it.
 pub fn put(document: &mut Value, at: &str, value: &Value) -> Result<(), String> {
+    if value.is_null() {
+        remove(document, at);
+        return Ok(());
+    }
     let mut here = document;
-    let keys: Vec<&str> = at.split('/').skip(1).collect();
-    let (last, way) = keys.split_last().ok_or_else(|| format!("\"{at}\" is no place"))?;
-    for key in way {
+    for key in at.split('/').skip(1) {
         here = step(here, key).ok_or_else(|| format!("{at}: there is no {key}"))?;
     }
-    match (value.is_null(), here) {
-        (true, Value::Object(object)) => drop(object.remove(*last)),
-        (true, _) => {}
-        (false, here) => {
-            *step(here, last).ok_or_else(|| format!("{at}: there is no {last}"))? = value.clone()
-        }
-    }
+    *here = value.clone();
     Ok(())
+}
+
+/// Removes the key at a place, if it is there.
+fn remove(document: &mut Value, at: &str) {
+    let Some((object, key)) = at.rsplit_once('/') else { return };
+    if let Some(object) = document.pointer_mut(object).and_then(Value::as_object_mut) {
+        object.remove(key);
+    }
 }
 
 /// The value of a key or index, which is made if it is missing.
@@ -51,6 +55,7 @@ mod tests {
         put(&mut document, "/layers/0/options/keep", &json!(true)).unwrap();
         put(&mut document, "/layers/1", &json!({"system": "hair"})).unwrap();
         put(&mut document, "/layers/0/seed", &Value::Null).unwrap();
+        put(&mut document, "/layers/0/maps/area", &Value::Null).unwrap();
         put(&mut document, "/layers/2", &Value::Null).unwrap();
         assert_eq!(document, json!({"layers": [{"options": {"keep": true}}, {"system": "hair"}]}));
         let error = put(&mut document, "/layers/4/seed", &json!(1)).unwrap_err();

@@ -18,6 +18,8 @@ pub struct Quantity {
 enum Of {
     /// The attribute of this name that has grown: the mean over the regions, weighted by their marks; of threads that of the first direction.
     Attribute,
+    /// That of stripes, or the one measured on the pattern.
+    Wavelength,
     /// The sum over the regions, at this place of their reports.
     Sum(&'static str),
     /// At this place of the report of the layer.
@@ -40,7 +42,7 @@ static QUANTITIES: [Quantity; 24] = [
     new("angle", "°", Of::Attribute),
     new("spacing", " px", Of::Attribute),
     new("width", " px", Of::Attribute),
-    new("wavelength", " px", Of::Attribute),
+    new("wavelength", " px", Of::Wavelength),
     new("raggedness", "", Of::Attribute),
     new("spread of area", "", Of::Spread(|spread| spread.area)),
     new("spread of angle", "°", Of::Spread(|spread| spread.angle)),
@@ -50,13 +52,13 @@ static QUANTITIES: [Quantity; 24] = [
     new("blotches", " px", Of::Report("/blotches/got")),
     new("points", "", Of::Report("/points/count")),
     new("correlation with the picture", "", Of::Report("/tone/correlation/0")),
-    new("turn from the picture", "°", Of::Report("/tone/direction")),
     new("ink", " %", Of::Picture(ink)),
     new("ink at the left", " %", Of::Picture(|grown| ink_of_half(grown, 0))),
     new("ink at the right", " %", Of::Picture(|grown| ink_of_half(grown, 1))),
     new("luma", " %", Of::Picture(|grown| Some(100.0 * mean(&lumas(grown))))),
     new("contrast of neighbours", " %", Of::Picture(contrast)),
-    new("direction", "°", Of::Picture(direction)),
+    new("direction", "°", Of::Picture(|grown| Some(tensor(grown).0))),
+    new("coherence", "", Of::Picture(|grown| Some(tensor(grown).1))),
 ];
 
 impl Quantity {
@@ -69,12 +71,20 @@ impl Quantity {
 
     /// Its value, of the layer with this index; `None` where there is nothing to measure.
     pub fn of(&self, grown: &Grown, layer: usize) -> Option<f64> {
-        let report = &grown.report["layers"][layer];
+        // Of hair, which does not grow, the lowest layer.
+        let layers = grown.report["layers"].as_array()?;
+        let report = layers.get(layer).or(layers.first())?;
+        let measured = || picture(grown.patterns.get(layer)?, 0.5);
         match self.of {
             Of::Attribute => attribute(report, self.name),
+            // Lines that were not drawn side by side have no wavelength in the report.
+            Of::Wavelength => attribute(report, self.name).or_else(|| match measured()? {
+                Picture::Stripes { got, .. } => Some(got.wavelength),
+                Picture::Spots { .. } => None,
+            }),
             Of::Sum(at) => sum(report, at),
             Of::Report(at) => report.pointer(at)?.as_f64(),
-            Of::Spread(part) => match picture(grown.patterns.get(layer)?, 0.5)? {
+            Of::Spread(part) => match measured()? {
                 Picture::Spots { spread, .. } => Some(part(spread)),
                 Picture::Stripes { .. } => None,
             },
@@ -166,10 +176,11 @@ fn contrast(grown: &Grown) -> Option<f64> {
     Some(100.0 * libm::sqrt(mean(&squares)))
 }
 
-/// The direction along which luma changes least: that of the structure tensor of the whole picture, degrees.
-fn direction(grown: &Grown) -> Option<f64> {
+/// Of the structure tensor of the whole picture: the direction along which luma changes least, degrees, and the coherence, from 0 (all
+/// directions) to 1 (one direction).
+fn tensor(grown: &Grown) -> (f64, f64) {
     let slopes = slopes(grown);
     let sum = |part: fn(&[f64; 2]) -> f64| slopes.iter().map(part).sum::<f64>();
     let (sin, cos) = (sum(|[x, y]| 2.0 * x * y), sum(|[x, y]| x * x - y * y));
-    Some(axial(-sin, -cos))
+    (axial(-sin, -cos), libm::hypot(sin, cos) / sum(|[x, y]| x * x + y * y))
 }

@@ -1,11 +1,11 @@
 //! Two pictures side by side in a small file.
 
-use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::Path;
 
 use dapple::files;
 use dapple_engine::export::downscale;
+use dapple_engine::export::motion::median_cut;
 use png::{BitDepth, ColorType, Compression, Encoder, EncodingError, Filter};
 
 use super::grown::Grown;
@@ -16,15 +16,14 @@ const GAP: usize = 8;
 const PAPER: u8 = 255;
 /// Four px of a file stand for five of a picture.
 const SCALE: [usize; 2] = [4, 5];
-/// The distance of the values of a colour. Each divides 255; with the first one most pictures have fewer colours than a palette holds.
-const STEPS: [u8; 3] = [17, 51, 85];
-/// Colours in a palette.
-const PALETTE: usize = 256;
+/// Colours of a file: with few of them it is small.
+const COLOURS: usize = 24;
 
 /// Writes the pictures of a pair as a PNG.
 pub fn write(path: &Path, pair: &[Grown; 2]) -> Result<(), String> {
     let (size, rgb) = beside(pair);
-    let (palette, px) = with_palette(&rgb).ok_or("there are too many colours")?;
+    let palette = median_cut(&rgb, COLOURS);
+    let px: Vec<u8> = rgb.chunks_exact(3).map(|px| nearest(&palette, px)).collect();
     let mut file = Vec::new();
     encode(&mut file, size, &palette, &px).map_err(|error| error.to_string())?;
     files::save(path, |out| Ok(out.write_all(&file)?)).map_err(|error| error.to_string())
@@ -46,18 +45,16 @@ fn beside(pair: &[Grown; 2]) -> ([usize; 2], Vec<u8>) {
     (size, rgb)
 }
 
-/// A palette, and the index of each px in it.
-fn with_palette(rgb: &[u8]) -> Option<(Vec<[u8; 3]>, Vec<u8>)> {
-    STEPS.iter().find_map(|step| {
-        let rounded = |value: u8| (value / step + u8::from(value % step > step / 2)) * step;
-        let px: Vec<[u8; 3]> = rgb.chunks_exact(3).map(|px| [px[0], px[1], px[2]].map(rounded)).collect();
-        let palette: Vec<[u8; 3]> = px.iter().copied().collect::<BTreeSet<_>>().into_iter().collect();
-        let index = |px: &[u8; 3]| palette.partition_point(|colour| colour < px) as u8;
-        let indices = px.iter().map(index).collect();
-        (palette.len() <= PALETTE).then_some((palette, indices))
-    })
+/// The index of the colour of a palette that is nearest to a px.
+fn nearest(palette: &[[u8; 3]], px: &[u8]) -> u8 {
+    let far = |colour: &[u8; 3]| -> u32 {
+        colour.iter().zip(px).map(|(a, b)| u32::from(a.abs_diff(*b)).pow(2)).sum()
+    };
+    let indices = (0_u8..).zip(palette);
+    indices.min_by_key(|(_, colour)| far(colour)).map_or(0, |(index, _)| index)
 }
 
+/// Writes indices of a palette as a PNG.
 fn encode(
     out: &mut Vec<u8>,
     [width, height]: [usize; 2],

@@ -80,7 +80,7 @@ fn the_effect_of_a_key_is_measured_and_drawn() {
     let table = Table::built_in().unwrap();
     let row = pair(&table, "Points", "share");
     let effect = shown(&table, &row, folder.path()).unwrap().to_string();
-    assert!(effect.starts_with("ink 20.0 → 70.0 %; points 279 → 279; "), "{effect}");
+    assert!(effect.starts_with("ink 19.9 → 70.0 %; points 279 → 279; "), "{effect}");
     let written = std::fs::read(folder.path().join("points-share.png")).unwrap();
     assert_eq!(written[..2], *b"\x89P");
 }
