@@ -18,7 +18,7 @@ pub struct Quantity {
 enum Of {
     /// The attribute of this name that has grown: the mean over the regions, weighted by their marks; of threads that of the first direction.
     Attribute,
-    /// That of stripes, or the one measured on the pattern.
+    /// The wavelength of stripes in the report, or measured on the pattern.
     Wavelength,
     /// The sum over the regions, at this place of their reports.
     Sum(&'static str),
