@@ -14,7 +14,7 @@ const HEAD: &str = "# What each key changes\n\n\
     Attributes are those of the report of `dapple grow`, of the layer whose key is changed, else of the lowest layer: means over the marks\n\
     that were measured. *Spread* is that of the spots that have grown, *ink* the share of the canvas that marks cover, *luma* the mean over the\n\
     picture, *contrast of neighbours* the root mean square difference of luma of px side by side, *direction* that along which luma changes least\n\
-    over the whole picture, and *coherence* how much that is the only one (0 to 1), by its structure tensor. A px differs where a colour of it differs by more than 16 of 255. Canvases have 160 × 160 px or less, so that there are few\n\
+    over the whole picture, and *coherence* how much that is the only one (0 to 1), by its structure tensor. A px differs where a colour of it differs by more than 16 of 255. Most canvases have 160 × 160 px, so that there are few\n\
     marks: means of areas and widths are still as asked, those of spacings vary by some per cent. `ramp` is a picture from black at the left to white\n\
     at the right, `disc` a black disc on white, `hill` a white spot that fades into black.\n";
 
