@@ -18,6 +18,7 @@ mod files;
 mod fineness;
 mod growth_map;
 pub mod journal;
+mod keys;
 mod manifest;
 mod merge;
 mod pairs;
@@ -67,7 +68,8 @@ enum Command {
     /// Compare growth on models: other triangulations of one surface, other ways to compute diffusion (docs/bodies.md,
     /// docs/turk.md)
     Bodies(bodies::Args),
-    /// Measure what else changes when one attribute of a sketch is changed: docs/cross-talk.md
+    /// Measure what else changes when one attribute of a sketch is changed, and what each key of a document changes:
+    /// docs/cross-talk.md, docs/keys.md and assets/keys
     CrossTalk(cross_talk::Args),
     /// Print the tables behind constants in the code and in docs/; run this at the root of the repository
     Tables(tables::Args),

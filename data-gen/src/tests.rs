@@ -374,3 +374,8 @@ fn quoted_text_of_a_plan_is_escaped_and_shortened() {
         assert!(!error.contains(char::is_control), "{error:?}");
     }
 }
+
+#[test]
+fn the_commands_are_well_formed() {
+    <crate::Command as clap::CommandFactory>::command().debug_assert();
+}

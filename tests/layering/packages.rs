@@ -62,7 +62,7 @@ pub const ADDRESSES: [(&str, &[&str]); 44] = [
     ("open", &["src/app/platform/desktop.rs"]),
     ("palette", &["src/engine/colour/", "src/engine/export/downscale.rs"]),
     ("ply_rs_bw", &["src/engine/surface/model/ply"]),
-    ("png", &["src/engine/export/"]),
+    ("png", &["src/engine/export/", "data-gen/"]),
     ("rfd", &["src/app/platform/desktop/"]),
     ("rustix", &["src/machine/"]),
     (

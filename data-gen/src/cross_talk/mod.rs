@@ -1,5 +1,5 @@
 //! Cross-talk: one attribute of a sketch is changed, and all attributes of what grows are measured. Beside it a plain simulation of the
-//! Gray–Scott model, whose parameters are changed likewise.
+//! Gray–Scott model, whose parameters are changed likewise. And each key of a document is changed, with pictures.
 
 mod effect;
 mod gray_scott;
@@ -12,25 +12,49 @@ use std::path::PathBuf;
 use dapple::files;
 use rayon::prelude::*;
 
+use crate::keys;
 use effect::{Effects, Measured};
 use subjects::{SUBJECTS, Subject};
 
-/// How many growths, and where to write the page.
+/// How many growths, and where to write the pages.
 #[derive(clap::Args)]
 pub struct Args {
+    /// Write one of the two pages; that of the keys, docs/keys.md with assets/keys, at the root of the repository
+    #[arg(long)]
+    only: Option<Page>,
     /// Seeds for each value
     #[arg(long, default_value_t = 20)]
     seeds: u64,
-    /// The page
+    /// The page of the attributes
     #[arg(short, long, value_name = "OUT.md", default_value = "docs/cross-talk.md")]
     output: PathBuf,
+}
+
+/// A page.
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Page {
+    /// What else changes with an attribute
+    Attributes,
+    /// What each key changes
+    Keys,
 }
 
 /// The factors by which an attribute is multiplied. Directions are turned by 90° × (factor − 1).
 const FACTORS: [f64; 2] = [0.8, 1.2];
 
-/// Grows all and writes the page.
+/// Grows all and writes the pages.
 pub fn run(args: &Args) -> Result<(), String> {
+    if args.only != Some(Page::Keys) {
+        attributes(args)?;
+    }
+    if args.only != Some(Page::Attributes) {
+        keys::run()?;
+    }
+    Ok(())
+}
+
+/// Writes the page of the attributes.
+fn attributes(args: &Args) -> Result<(), String> {
     let mut matrices = Vec::new();
     for subject in &SUBJECTS {
         crate::say(subject.title)?;

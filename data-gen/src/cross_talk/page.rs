@@ -10,9 +10,9 @@ use super::subjects::Subject;
 pub fn text(matrices: &[(&Subject, Vec<Effects>)], plain: &[Row], seeds: u64) -> String {
     let mut text = format!(
         "# What else changes when one attribute is changed\n\n\
-         Written by `cargo run --release -p data-gen -- cross-talk --seeds {seeds}`. Of each system a sketch with one set of attributes is drawn;\n\
-         one attribute is multiplied by 0.8 and by 1.2 (directions are turned by −18° and +18°), all others stay as drawn, and everything is\n\
-         measured on what has grown.\n"
+         Written by `cargo run --release -p data-gen -- cross-talk --only attributes --seeds {seeds}`. Of each system a sketch with one set of\n\
+         attributes is drawn; one attribute is multiplied by 0.8 and by 1.2 (directions are turned by −18° and +18°), all others stay as\n\
+         drawn, and everything is measured on what has grown.\n"
     );
     // Writing to a String cannot fail.
     let _ = writeln!(

@@ -46,6 +46,13 @@ fn a_system_is_chosen_and_reset() {
     assert_eq!(hand.document().layers[1].system, SystemChoice::Of(System::MEINHARDT_LINES.description()));
 }
 
+/// Presses what may be scrolled out of sight.
+fn press_in_view(hand: &mut Hand, name: &str) {
+    hand.window.get_by_label(name).scroll_to_me();
+    hand.rest();
+    hand.press(name);
+}
+
 #[test]
 fn options_of_stripes() {
     let mut hand = two();
@@ -59,18 +66,35 @@ fn options_of_stripes() {
     assert_eq!(hand.document().layers[1].options.duty, DutyChoice::Given(0.5));
     choose(&mut hand, "Starts from", "Drawn lines");
     assert_eq!(hand.document().layers[1].options.seeding, Seeding::Initiators);
-    hand.press("Starts from: default");
+    press_in_view(&mut hand, "Starts from: default");
     assert_eq!(hand.document().layers[1].options.seeding, Seeding::Noise);
     let kept = hand.document().keeps_marks(1);
-    hand.press("Keep marks");
+    press_in_view(&mut hand, "Keep marks");
     assert_eq!(hand.document().layers[1].options.keep, Some(!kept));
-    hand.press("Keep marks: default");
+    press_in_view(&mut hand, "Keep marks: default");
     assert_eq!(hand.document().layers[1].options.keep, None);
     hand.press("Grows: Around");
     hand.type_into("Broken", "25");
     assert_eq!(hand.document().layers[1].options.broken, 0.25);
     undo(&mut hand);
     assert_eq!(hand.document().layers[1].options.broken, 0.0);
+    hand.document().check("what was chosen").unwrap();
+}
+
+#[test]
+fn shapes_of_stripes() {
+    let mut hand = two();
+    hand.press("How it grows");
+    hand.window.get_by_label("Varying width").scroll_to_me();
+    hand.rest();
+    hand.type_into("Varying width", "40");
+    hand.type_into("Doubled", "25");
+    let options = &hand.document().layers[1].options;
+    assert_eq!((options.vary, options.double), (0.4, 0.25));
+    hand.type_into("Varying width", "95");
+    assert_eq!(hand.document().layers[1].options.vary, 0.8);
+    press_in_view(&mut hand, "Varying width: default");
+    assert_eq!(hand.document().layers[1].options.vary, 0.0);
     hand.document().check("what was chosen").unwrap();
 }
 
