@@ -7,6 +7,7 @@ use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 
 use super::{choose, two, undo};
+use crate::hand::Hand;
 
 #[test]
 fn the_relation_to_the_layers_beneath_is_chosen_by_a_picture() {
@@ -49,7 +50,7 @@ fn a_system_is_chosen_and_reset() {
 /// Presses what may be scrolled out of sight.
 fn press_in_view(hand: &mut Hand, name: &str) {
     hand.window.get_by_label(name).scroll_to_me();
-    hand.rest();
+    hand.window.run_steps(60);
     hand.press(name);
 }
 
@@ -86,7 +87,7 @@ fn shapes_of_stripes() {
     let mut hand = two();
     hand.press("How it grows");
     hand.window.get_by_label("Varying width").scroll_to_me();
-    hand.rest();
+    hand.window.run_steps(60);
     hand.type_into("Varying width", "40");
     hand.type_into("Doubled", "25");
     let options = &hand.document().layers[1].options;
