@@ -9,7 +9,6 @@ use egui::ColorImage;
 use crate::document::Document;
 use crate::editor::sketch_part::part;
 use crate::editor::task::{StartError, Task, Tasks, Worker};
-use crate::machine::memory::give_back;
 use crate::machine::{free_memory, threads};
 use crate::synth::render::painting::Painting;
 use crate::synth::{GrowError, Grown, Growth, Options, Stage, Training, Watch};
@@ -51,10 +50,7 @@ pub fn start(
     tasks: &Tasks,
 ) -> Result<Task<News>, StartError> {
     let training = Arc::clone(training);
-    tasks.start(name, move |worker| {
-        Growing { worker, training: &training }.run(&jobs);
-        give_back();
-    })
+    tasks.start(name, move |worker| Growing { worker, training: &training }.run(&jobs))
 }
 
 struct Growing<'a> {

@@ -12,6 +12,7 @@ use std::sync::mpsc::{self, Receiver, Sender, TryRecvError};
 use std::time::Duration;
 
 use crate::machine::clock::Instant;
+use crate::machine::memory::give_back;
 use crate::machine::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use crate::machine::threads::{self, JoinHandle};
 
@@ -82,7 +83,16 @@ impl Tasks {
         let state = Arc::new(State::default());
         let (send, messages) = mpsc::channel();
         let worker = Worker { state: Arc::clone(&state), send: Some(send), wake: Arc::clone(&self.wake) };
-        let thread = (self.spawn.0)(name, Box::new(move || work(&worker)));
+        let run = move || {
+            work(&worker);
+            let is_cancelled = worker.is_cancelled();
+            drop(worker);
+            // After a cancelled task, another one often follows at once and needs the memory.
+            if !is_cancelled {
+                give_back();
+            }
+        };
+        let thread = (self.spawn.0)(name, Box::new(run));
         let thread = thread.map_err(|source| StartError { task: name, source })?;
         Ok(Task { state, messages, thread: Some(thread), ended: false })
     }

@@ -10,7 +10,6 @@ use crate::document::Document;
 use crate::editor::task::Worker;
 use crate::machine::clock::Instant;
 use crate::machine::free_memory;
-use crate::machine::memory::give_back;
 use crate::machine::sync::{Mutex, PoisonError};
 use crate::machine::threads::{self, ThreadPool};
 use crate::synth::report::DrawnMark;
@@ -235,6 +234,5 @@ impl Job {
         self.shared.set_reusable(Arc::clone(&texture.grown));
         let picture = Picture::settled(&texture, self.shared.fineness());
         worker.send(News::Settled(texture, picture, reused));
-        give_back();
     }
 }
