@@ -12,7 +12,7 @@ use crate::editor::layer_choices::option_refusal;
 use crate::editor::session::Session;
 
 pub(super) fn option(ui: &mut Ui, session: &Session, layer: &Layer, choice: OptionKey) -> Option<Edit> {
-    let (name, help) = described(choice);
+    let (name, help) = (label(choice), explanation(choice));
     let refused = option_refusal(layer, session.kind(session.active_layer), choice);
     let enabled = refused.is_none();
     let label = ui.add_enabled(enabled, Label::new(name)).on_hover_text(help);
@@ -33,79 +33,84 @@ pub(super) fn option(ui: &mut Ui, session: &Session, layer: &Layer, choice: Opti
     (options != layer.options).then_some(Edit::LayerOptions(session.active_layer, options))
 }
 
-/// The label of an option, and its tooltip.
-fn described(choice: OptionKey) -> (&'static str, &'static str) {
+/// The label of an option.
+fn label(choice: OptionKey) -> &'static str {
     match choice {
-        OptionKey::Spread => (
-            "Variation",
-            "How much the spots differ from each other: as much as the drawn ones (at least six in a region), not at all, or as below",
-        ),
-        OptionKey::Irregular => (
-            "Irregular",
+        OptionKey::Spread => "Variation",
+        OptionKey::Irregular => "Irregular",
+        OptionKey::Keep => "Keep marks",
+        OptionKey::Duty => "Stripe width",
+        OptionKey::Seeding => "Starts from",
+        OptionKey::Vary => "Varying width",
+        OptionKey::Double => "Doubled",
+        OptionKey::Ragged => "Ragged",
+        OptionKey::Detail => "Detail",
+        OptionKey::Gap => "Lines",
+        OptionKey::Rosette => "Rosettes",
+        OptionKey::Over => "Crossings",
+        OptionKey::Decay => "Decay",
+        OptionKey::Broken => "Broken",
+    }
+}
+
+/// The tooltip of an option.
+fn explanation(choice: OptionKey) -> &'static str {
+    match choice {
+        OptionKey::Spread => {
+            "How much the spots differ from each other: as much as the drawn ones (at least six in a region), not at all, or as below"
+        }
+        OptionKey::Irregular => {
             "How irregular the shapes are: 0 % grows ellipses, 100 % beans, bars and drops. Only Turing's \
-             spots have this option",
-        ),
-        OptionKey::Keep => (
-            "Keep marks",
-            "Whether the drawn marks themselves are part of the texture. The default is yes, but not with several regions",
-        ),
-        OptionKey::Duty => (
-            "Stripe width",
+             spots have this option"
+        }
+        OptionKey::Keep => {
+            "Whether the drawn marks themselves are part of the texture. The default is yes, but not with several regions"
+        }
+        OptionKey::Duty => {
             "Width of the stripes, as a share of the distance from one stripe to the next. As drawn: measured \
              on the drawn lines that lie side by side, for each region separately. 50 %: the stripes are as \
              wide as the gaps between them; below, down to 18 %, they are lines on wide \
-             ground; above, up to 82 %, wide stripes with thin gaps",
-        ),
-        OptionKey::Seeding => (
-            "Starts from",
+             ground; above, up to 82 %, wide stripes with thin gaps"
+        }
+        OptionKey::Seeding => {
             "What the growth starts from. Noise: stripes follow the drawn directions closely. Segments: short \
              lines in the drawn direction, which grow into forked and wavy stripes. Drawn lines: stripes \
-             spread from the lines that you drew",
-        ),
-        OptionKey::Vary => (
-            "Varying width",
-            "How much the width of stripes varies along them, 0 % to 80 %: they swell and taper, and above 40 % end in points",
-        ),
-        OptionKey::Double => {
-            ("Doubled", "The share of the stripes that open into two thin ones, as on a tiger")
+             spread from the lines that you drew"
         }
-        OptionKey::Ragged => (
-            "Ragged",
+        OptionKey::Vary => {
+            "How much the width of stripes varies along them, 0 % to 80 %: they swell and taper, and above 40 % end in points"
+        }
+        OptionKey::Double => "The share of the stripes that open into two thin ones, as on a tiger",
+        OptionKey::Ragged => {
             "How ragged the edges are, 0 % to 50 %. As drawn: patches are as ragged as the drawn outlines \
-             (ellipses are smooth); the edges of spots and stripes are not changed",
-        ),
-        OptionKey::Detail => (
-            "Detail",
+             (ellipses are smooth); the edges of spots and stripes are not changed"
+        }
+        OptionKey::Detail => {
             "Number of points that make up a patch or a streak, 7 to 200. More points: a patch has finer \
-             fringes, a streak is longer",
-        ),
-        OptionKey::Gap => (
-            "Lines",
+             fringes, a streak is longer"
+        }
+        OptionKey::Gap => {
             "Width of the lines between cells. As drawn: the width of the gaps between drawn outlines that \
-             nearly touch",
-        ),
-        OptionKey::Rosette => (
-            "Rosettes",
-            "The rims of patches break up into blotches around a tinted centre, as on leopards; dots inside, as on jaguars",
-        ),
-        OptionKey::Over => (
-            "Crossings",
+             nearly touch"
+        }
+        OptionKey::Rosette => {
+            "The rims of patches break up into blotches around a tinted centre, as on leopards; dots inside, as on jaguars"
+        }
+        OptionKey::Over => {
             "Which threads lie on top where they cross. Level: none. Plain: over one, under one. Twill: over \
-             two, under one or two. Random: by chance",
-        ),
-        OptionKey::Decay => (
-            "Decay",
-            "How far worms break up into dots: 0 % grows a maze of worms, 80 % dots and worms, 85 % hardly any worms",
-        ),
-        OptionKey::Broken => (
-            "Broken",
-            "The share of each ring that is left open, 0 to 60 %, in two to five gaps, as in the rosettes of a leopard",
-        ),
+             two, under one or two. Random: by chance"
+        }
+        OptionKey::Decay => {
+            "How far worms break up into dots: 0 % grows a maze of worms, 80 % dots and worms, 85 % hardly any worms"
+        }
+        OptionKey::Broken => {
+            "The share of each ring that is left open, 0 to 60 %, in two to five gaps, as in the rosettes of a leopard"
+        }
     }
 }
 
 fn control(ui: &mut Ui, session: &Session, choice: OptionKey, options: &mut LayerOptions) -> egui::Response {
-    let (name, _) = described(choice);
+    let name = label(choice);
     match choice {
         OptionKey::Irregular => share(ui, name, &mut options.irregular, &limits::IRREGULAR),
         OptionKey::Duty => duty(ui, name, &mut options.duty),
