@@ -38,12 +38,7 @@ fn options_of(gaps: RangeInclusive<f64>) -> BoxedStrategy<LayerOptions> {
         prop_oneof![2 => Just(RaggedChoice::Drawn), 1 => (0.0..=0.5_f64).prop_map(RaggedChoice::Given)],
         often(24.0, 7.0..=200.0),
         prop_oneof![2 => Just(GapChoice::Drawn), 1 => gaps.prop_map(GapChoice::Given)],
-        (
-            often(0.8, 0.0..=0.85),
-            prop::sample::select(Over::NAMES.map(|(_, over)| over).to_vec()),
-            rosette(),
-            (often(0.0, 0.0..=0.8), often(0.0, 0.0..=1.0)),
-        ),
+        (often(0.8, 0.0..=0.85), prop::sample::select(Over::NAMES.map(|(_, over)| over).to_vec()), rosette()),
     )
         .prop_map(|(spread, duty, broken, irregular, keep, seeding, ragged, detail, gap, rest)| {
             LayerOptions {
@@ -58,9 +53,10 @@ fn options_of(gaps: RangeInclusive<f64>) -> BoxedStrategy<LayerOptions> {
                 gap,
                 decay: rest.0,
                 over: rest.1,
+                // From numbers that only other marks use, so that these remain as they were before there were shapes of stripes.
+                vary: if detail == 24.0 { 0.0 } else { 0.8 * (detail - 7.0) / 193.0 },
+                double: rest.2.as_ref().map_or(0.0, |of| of.solid),
                 rosette: rest.2,
-                vary: rest.3.0,
-                double: rest.3.1,
             }
         })
         .boxed()
