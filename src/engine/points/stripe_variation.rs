@@ -6,7 +6,7 @@
 //! The ink lies where s > 0. r is the distance from the middle line of the stripe, found as h minus the depth inside its edge; h is half
 //! of the width of the stripes around the place, from the mean depth there. n is noise with the deviation 1, n̄ = 0, long along the
 //! stripes: noise averaged along a line that follows them. u is another such noise minus the level that the share `double` of the
-//! ink exceeds: where it is positive, the stripe opens by l on both sides of its middle line. A stripe grows by at most [`ROOM`] of the
+//! ink exceeds: where it is positive, the stripe opens by l on both sides of its middle line. A stripe grows by at most `ROOM` of the
 //! gap beside it. Then the level of the edge is found again, so that the covered area stays: the mean width and the distance of the
 //! stripes are those of the plain ones.
 
@@ -53,7 +53,7 @@ const ROOM: f64 = 0.65;
 /// The least half width from which the pattern falls to an edge, in that of the stripe.
 const THIN: f64 = 0.3;
 /// Where stripes end or are thin, gaps are wide: a slope over the whole gap would show where the stripe was. It is shorter by this
-/// share, where `vary` and `double` add up to [`STEEP`], and as long as it was where nothing varies.
+/// share, where `vary` and `double` add up to `STEEP`, and as long as it was where nothing varies.
 const STEEPER: f64 = 0.7;
 const STEEP: f64 = 0.3;
 /// Radius of the noise of widths and of openings, in periods. Shorter waves make chains of beads.

@@ -67,7 +67,7 @@ fn options_of_stripes() {
     assert_eq!(hand.document().layers[1].options.duty, DutyChoice::Given(0.5));
     choose(&mut hand, "Starts from", "Drawn lines");
     assert_eq!(hand.document().layers[1].options.seeding, Seeding::Initiators);
-    press_in_view(&mut hand, "Starts from: default");
+    undo(&mut hand);
     assert_eq!(hand.document().layers[1].options.seeding, Seeding::Noise);
     let kept = hand.document().keeps_marks(1);
     press_in_view(&mut hand, "Keep marks");
@@ -86,15 +86,15 @@ fn options_of_stripes() {
 fn shapes_of_stripes() {
     let mut hand = two();
     hand.press("How it grows");
-    hand.window.get_by_label("Varying width").scroll_to_me();
+    hand.window.get_by_role_and_label(Role::SpinButton, "Varying").scroll_to_me();
     hand.window.run_steps(60);
-    hand.type_into("Varying width", "40");
+    hand.type_into("Varying", "40");
     hand.type_into("Doubled", "25");
     let options = &hand.document().layers[1].options;
     assert_eq!((options.vary, options.double), (0.4, 0.25));
-    hand.type_into("Varying width", "95");
+    hand.type_into("Varying", "95");
     assert_eq!(hand.document().layers[1].options.vary, 0.8);
-    press_in_view(&mut hand, "Varying width: default");
+    press_in_view(&mut hand, "Varying: default");
     assert_eq!(hand.document().layers[1].options.vary, 0.0);
     hand.document().check("what was chosen").unwrap();
 }

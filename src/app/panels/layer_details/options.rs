@@ -41,7 +41,7 @@ fn label(choice: OptionKey) -> &'static str {
         OptionKey::Keep => "Keep marks",
         OptionKey::Duty => "Stripe width",
         OptionKey::Seeding => "Starts from",
-        OptionKey::Vary => "Varying width",
+        OptionKey::Vary => "Varying",
         OptionKey::Double => "Doubled",
         OptionKey::Ragged => "Ragged",
         OptionKey::Detail => "Detail",
