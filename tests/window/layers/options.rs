@@ -70,9 +70,11 @@ fn options_of_stripes() {
     undo(&mut hand);
     assert_eq!(hand.document().layers[1].options.seeding, Seeding::Noise);
     let kept = hand.document().keeps_marks(1);
-    press_in_view(&mut hand, "Keep marks");
+    hand.window.get_by_role_and_label(Role::CheckBox, "Keep marks").scroll_to_me();
+    hand.window.run_steps(60);
+    hand.press("Keep marks");
     assert_eq!(hand.document().layers[1].options.keep, Some(!kept));
-    press_in_view(&mut hand, "Keep marks: default");
+    undo(&mut hand);
     assert_eq!(hand.document().layers[1].options.keep, None);
     hand.press("Grows: Around");
     hand.type_into("Broken", "25");
