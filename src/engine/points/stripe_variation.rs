@@ -1,7 +1,7 @@
 //! Stripes whose width varies along them, down to pointed tips, and which open into two where they are wide, as on tigers.
 //!
 //! ```text
-//! s = min(h′ − r, r − l),   h′ = h·(1 + v·n + O·clamp(u + ½, 0, 1)),   l = h′·clamp(u, −1, I)
+//! s = min(h′ − r, r − l),   h′ = h·(1 + v·n + O·clamp(u + ½, 0, 1)),   l = max(h′, 0)·clamp(u, −1, I)
 //! ```
 //! The ink lies where s > 0. r is the distance from the middle line of the stripe, found as h minus the depth inside its edge; h is half
 //! of the width of the stripes around the place, from the mean depth there. n is noise with the deviation 1, n̄ = 0, long along the
