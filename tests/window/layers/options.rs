@@ -7,7 +7,6 @@ use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 
 use super::{choose, two, undo};
-use crate::hand::Hand;
 
 #[test]
 fn the_relation_to_the_layers_beneath_is_chosen_by_a_picture() {
@@ -45,13 +44,6 @@ fn a_system_is_chosen_and_reset() {
     assert_eq!(hand.document().layers[1].system, SystemChoice::Auto);
     undo(&mut hand);
     assert_eq!(hand.document().layers[1].system, SystemChoice::Of(System::MEINHARDT_LINES.description()));
-}
-
-/// Presses what may be scrolled out of sight.
-fn press_in_view(hand: &mut Hand, name: &str) {
-    hand.window.get_by_label(name).scroll_to_me();
-    hand.window.run_steps(60);
-    hand.press(name);
 }
 
 #[test]
@@ -96,7 +88,7 @@ fn shapes_of_stripes() {
     assert_eq!((options.vary, options.double), (0.4, 0.25));
     hand.type_into("Varying", "95");
     assert_eq!(hand.document().layers[1].options.vary, 0.8);
-    press_in_view(&mut hand, "Varying: default");
+    hand.reach("Varying: default");
     assert_eq!(hand.document().layers[1].options.vary, 0.0);
     hand.document().check("what was chosen").unwrap();
 }
