@@ -114,6 +114,8 @@ fn sizes(style: &mut Style) {
     spacing.menu_margin = Margin::same(6);
     spacing.slider_width = 120.0;
     spacing.tooltip_width = 280.0;
+    // A wider bar covers the buttons at the ends of rows, which restore defaults.
+    spacing.scroll.bar_width = 6.0;
     style.interaction.tooltip_delay = 0.4;
 }
 

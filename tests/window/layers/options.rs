@@ -59,14 +59,14 @@ fn options_of_stripes() {
     assert_eq!(hand.document().layers[1].options.duty, DutyChoice::Given(0.5));
     choose(&mut hand, "Starts from", "Drawn lines");
     assert_eq!(hand.document().layers[1].options.seeding, Seeding::Initiators);
-    undo(&mut hand);
+    hand.reach("Starts from: default");
     assert_eq!(hand.document().layers[1].options.seeding, Seeding::Noise);
     let kept = hand.document().keeps_marks(1);
     hand.window.get_by_role_and_label(Role::CheckBox, "Keep marks").scroll_to_me();
     hand.window.run_steps(60);
     hand.press("Keep marks");
     assert_eq!(hand.document().layers[1].options.keep, Some(!kept));
-    undo(&mut hand);
+    hand.reach("Keep marks: default");
     assert_eq!(hand.document().layers[1].options.keep, None);
     hand.press("Grows: Around");
     hand.type_into("Broken", "25");
