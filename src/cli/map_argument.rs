@@ -48,6 +48,11 @@ impl std::str::FromStr for MapArgument {
         let (rest, high) = rest.rsplit_once(':').ok_or(ALLOWED)?;
         let (rest, low) = rest.rsplit_once(':').ok_or(ALLOWED)?;
         let source = match rest.strip_prefix("noise:") {
+            _ if factor && key == MapKey::Ground => {
+                return Err(format!(
+                    "the ground has no factor: LOW and HIGH are shares of its second colour; {ALLOWED}"
+                ));
+            }
             Some(_) if factor => return Err(format!("noise is always a factor; {ALLOWED}")),
             Some(size) => {
                 let size = number(size)?;
@@ -111,6 +116,7 @@ mod tests {
             refused("duty=a.png:0.5:2").starts_with("found 2 for LOW or HIGH; allowed: a number from 0.18")
         );
         assert!(refused("area=noise:1:0.5:2").starts_with("found a size of 1; allowed: a number from 2"));
+        assert!(refused("ground=a.png:0:1:factor").starts_with("the ground has no factor"));
         for text in
             ["area", "area=a.png", "area=a.png:1", "area=:1:2", "area=a.png:1:x", "area=noise:9:1:2:factor"]
         {

@@ -3,7 +3,7 @@
 use crate::document::systems::POINTS;
 use crate::document::{
     After, Colours, Document, Finishing, Layer, LayerMaps, LayerOptions, Points, SystemChoice, Tone,
-    ToneImage,
+    ToneImage, Warp,
 };
 use crate::editor::goal::Goal;
 use crate::editor::selection::Place;
@@ -25,6 +25,8 @@ pub enum Edit {
     Dpi(f64),
     /// Set the seed.
     Seed(u64),
+    /// Set or remove the warp.
+    Warp(Option<Warp>),
     /// Set or remove the finish.
     Finish(Option<Finishing>),
     /// Replace marks.
@@ -61,6 +63,7 @@ impl Session {
             Edit::Edges(edges) => self.edit(|document| document.edges = edges),
             Edit::Dpi(dpi) => self.edit(|document| document.dpi = dpi),
             Edit::Seed(seed) => self.edit(|document| document.seed = seed),
+            Edit::Warp(warp) => self.edit(|document| document.warp = warp),
             Edit::Finish(finish) => self.edit(|document| document.finish = finish),
             Edit::Marks(marks) => self.replace(&marks),
             Edit::LayerName(layer, name) => self.change_layer(layer, |layer| layer.name = name),

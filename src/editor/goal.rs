@@ -209,8 +209,10 @@ impl Goal {
             After::Around => Some(Self::Rings),
             After::Net => Some(Self::Net),
             After::Inside => Some(Self::Inside),
-            After::Between if system.kind == Family::Marks && system.is_striped() => Some(Self::Stripes),
-            After::Between => all
+            After::Between | After::Near if system.kind == Family::Marks && system.is_striped() => {
+                Some(Self::Stripes)
+            }
+            After::Between | After::Near => all
                 .into_iter()
                 .filter(|goal| goal.after() == After::Between)
                 .find(|goal| goal.choice() == SystemChoice::Of(system)),
@@ -319,7 +321,8 @@ impl Goal {
     }
 
     fn set(self, layer: &mut Layer) {
-        layer.after = self.after();
+        let stays = layer.after == After::Near && self.after() == After::Between;
+        layer.after = if stays { After::Near } else { self.after() };
         layer.tone = ball().filter(|_| self == Self::Tone).map(Tone::new);
         layer.points = (self == Self::Blotches).then(|| blotches(&layer.strokes));
         layer.system = if self == Self::Tone { layer.system } else { self.choice() };

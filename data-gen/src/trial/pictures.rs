@@ -29,7 +29,13 @@ pub fn write(folder: &Path, name: &str, document: &Document, patterns: &[Field])
         .collect();
     let layers = patterns.iter().zip(&tables).zip(&document.layers);
     let painted: Vec<Painted> = layers
-        .map(|((pattern, table), layer)| Painted { pattern, free: None, table, visible: layer.visible })
+        .map(|((pattern, table), layer)| Painted {
+            ground: None,
+            pattern,
+            free: None,
+            table,
+            visible: layer.visible,
+        })
         .collect();
     let size = document.size.map(|side| side as usize);
     let rgb = paint(&painted, size[0], size[1]);

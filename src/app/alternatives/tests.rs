@@ -22,7 +22,7 @@ fn texture(document: &Document) -> Texture {
 
 fn painted() -> Option<Colours> {
     let stop = |at, colour| Stop::opaque(at, colour);
-    Some(Colours { stops: vec![stop(0.0, [9, 9, 9]), stop(1.0, [200, 9, 9])], bends: Vec::new() })
+    Some(Colours { stops: vec![stop(0.0, [9, 9, 9]), stop(1.0, [200, 9, 9])], ..Colours::new([]) })
 }
 
 #[test]

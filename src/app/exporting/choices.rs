@@ -353,7 +353,7 @@ mod tests {
     use crate::document::{Finish, FinishKind, Finishing, FlowChoice};
 
     fn of(kind: FinishKind) -> Document {
-        let finish = Finish { kind, size: 10.0 };
+        let finish = Finish { size: 10.0, ..Finish::new(kind) };
         let finish = Some(Finishing { finish, flow: FlowChoice::Usual });
         Document { finish, ..Document::default() }
     }

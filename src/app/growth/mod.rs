@@ -12,7 +12,7 @@ pub use picture::{Picture, image};
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::document::Document;
+use crate::document::{Document, MapKey};
 use crate::editor::task::{Ending, StartError, Task, Tasks, Worker};
 use crate::machine::clock::Instant;
 use crate::synth::report::DrawnMark;
@@ -379,13 +379,20 @@ impl Growth {
     }
 }
 
-/// The part of the document on which the pattern depends: the document without its names, colours, finish and dots per inch.
+/// The part of the document on which what grows depends: the document without its names, colours, warp, finish and dots per inch.
 pub(in crate::app) fn essence(document: &Document) -> Document {
-    let mut essence =
-        Document { name: String::new(), dpi: 300.0, starred: Vec::new(), finish: None, ..document.clone() };
+    let mut essence = Document {
+        name: String::new(),
+        dpi: 300.0,
+        starred: Vec::new(),
+        warp: None,
+        finish: None,
+        ..document.clone()
+    };
     for layer in &mut essence.layers {
         layer.name.clear();
         layer.colours = None;
+        MapKey::ALL.into_iter().filter(|key| key.is_painted()).for_each(|key| layer.maps.set(key, None));
         layer.visible = true;
     }
     essence

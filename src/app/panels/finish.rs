@@ -27,6 +27,7 @@ pub fn finish(ui: &mut Ui, document: &Document) -> Option<Action> {
         ui.end_row();
         if let Some(finishing) = &mut now {
             size(ui, &mut finishing.finish);
+            mottling(ui, &mut finishing.finish);
             if finishing.finish.kind.has_flow() || finishing.flow.strokes() > 0 {
                 let has_flow = finishing.finish.kind.has_flow();
                 direction(ui, &mut finishing.flow, has_flow);
@@ -68,6 +69,18 @@ fn size(ui: &mut Ui, finish: &mut Finish) {
     let [low, high] = Finish::SIZES;
     let field = DragValue::new(&mut finish.size).range(low..=high).speed(0.1).max_decimals(1);
     ui.add(number_field(field, " px")).accessible_name("Size of the material").on_hover_text(help);
+    ui.end_row();
+}
+
+fn mottling(ui: &mut Ui, finish: &mut Finish) {
+    let help = "How much the tone of the material varies, slowly and finely, in marks and ground alike";
+    ui.label("Mottling").on_hover_text(help);
+    let [low, high] = Finish::MOTTLING;
+    let mut percent = 100.0 * finish.mottle;
+    let field = DragValue::new(&mut percent).range(100.0 * low..=100.0 * high).speed(0.2).max_decimals(0);
+    if ui.add(number_field(field, " %")).accessible_name("Mottling").on_hover_text(help).changed() {
+        finish.mottle = percent / 100.0;
+    }
     ui.end_row();
 }
 

@@ -6,7 +6,7 @@ use crate::app::theme::Palette;
 use crate::document::After;
 
 /// Size of a button, points.
-pub const SIZE: Vec2 = vec2(52.0, 38.0);
+pub const SIZE: Vec2 = vec2(44.0, 38.0);
 
 /// The centres of the marks beneath in a picture of 40 × 28.
 const BENEATH: [[f32; 2]; 3] = [[9.5, 8.5], [30.0, 8.0], [19.5, 20.5]];
@@ -16,6 +16,7 @@ const BENEATH: [[f32; 2]; 3] = [[9.5, 8.5], [30.0, 8.0], [19.5, 20.5]];
 pub fn name(after: After) -> &'static str {
     match after {
         After::Between => "Between",
+        After::Near => "Near",
         After::Around => "Around",
         After::Net => "Net",
         After::Inside => "Inside",
@@ -29,6 +30,10 @@ pub fn help(after: After) -> &'static str {
         After::Between => {
             "Marks grow between the marks of the layers beneath and keep away from them, like the small spots \
              of a cheetah"
+        }
+        After::Near => {
+            "Marks grow between the marks beneath, and are the rarer the farther away from them they are, like the \
+             specks at the edges of the patches of a cow"
         }
         After::Around => {
             "Rings grow around the marks beneath, like the rosettes of a leopard; the drawn lines set their width"
@@ -83,6 +88,12 @@ fn paint(painter: &Painter, corner: Pos2, after: After, own: Color32, beneath: C
             dots(painter, corner, 4.6, beneath);
             for place in [[20.0, 6.0], [3.0, 20.0], [9.0, 24.0], [31.0, 22.5], [37.0, 17.0], [27.0, 15.2]] {
                 painter.circle_filled(at(place), 1.9, own);
+            }
+        }
+        After::Near => {
+            dots(painter, corner, 4.6, beneath);
+            for place in [[16.4, 8.0], [3.0, 13.2], [10.4, 15.6], [26.8, 19.4], [36.6, 9.6], [30.4, 14.8]] {
+                painter.circle_filled(at(place), 1.5, own);
             }
         }
         After::Around => {

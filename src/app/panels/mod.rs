@@ -28,6 +28,7 @@ mod texture_menu;
 mod tools;
 mod typed_rows;
 mod wanted;
+mod warp;
 
 pub use alternatives::{HEIGHT as ALTERNATIVES, alternatives};
 pub use canvas::{CanvasState, canvas};

@@ -28,6 +28,11 @@ fn described(key: MapKey, map: &LayerMap) -> String {
     };
     let name = key.name();
     match (map.change(key), key) {
+        (MapChange::Replace, MapKey::Ground) => {
+            format!(
+                "{from} gives the share of the second colour of the ground: {low} {low_at} to {high} {high_at}"
+            )
+        }
         (MapChange::Replace, _) => {
             format!("{from} gives the {name}: {low}{unit} {low_at} to {high}{unit} {high_at}")
         }

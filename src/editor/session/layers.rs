@@ -1,7 +1,7 @@
 //! Layers of the open document: which is active, which are frozen, and operations on whole layers.
 
 use crate::document::layer_rules::{Beneath, Combination, tidy};
-use crate::document::{After, Kind, Layer, limits};
+use crate::document::{Kind, Layer, limits};
 use crate::editor::selection::{Place, Selection};
 use crate::editor::session::Session;
 use crate::editor::shape;
@@ -180,7 +180,7 @@ impl Session {
     #[must_use]
     pub fn is_out_of_place(&self, kind: Kind) -> bool {
         let active = self.document.layers.get(self.active_layer);
-        active.is_some_and(|layer| layer.after != After::Between) && !self.accepts(self.active_layer, kind)
+        active.is_some_and(|layer| !layer.after.keeps_away()) && !self.accepts(self.active_layer, kind)
     }
 
     /// Whether a layer accepts marks of `kind`. This depends on its marks, its system and its `after`.
@@ -194,7 +194,7 @@ impl Session {
 
 #[cfg(test)]
 mod tests {
-    use crate::document::{Document, SystemChoice};
+    use crate::document::{After, Document, SystemChoice};
     use crate::editor::session::layers::*;
     use crate::marks::{Ellipse, Line};
     use crate::rd::System;

@@ -128,6 +128,12 @@ impl Gradient {
         (0..=u16::MAX).into_par_iter().map(|i| self.srgba(&lab, f32::from(i) / 65535.0)).collect()
     }
 
+    /// The colours of `steps` + 1 even pattern values from 0 to 1: red, green, blue, alpha, 0..1 each.
+    pub(super) fn sampled(&self, steps: usize) -> Vec<[f64; 4]> {
+        let lab = self.lab();
+        (0..=steps).map(|step| self.srgba(&lab, step as f32 / steps as f32)).collect()
+    }
+
     fn mix(&self, lab: &[Oklab<f64>], v: f32) -> [u8; 4] {
         self.srgba(lab, v).map(|channel| (channel * 255.0).round() as u8)
     }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::Table;
+use super::{Ground, Table};
 use crate::grid::Field;
 
 /// One layer to paint.
@@ -16,8 +16,22 @@ pub struct Painted<'a> {
     pub free: Option<&'a [bool]>,
     /// Its colours.
     pub table: &'a Table,
+    /// The second colour of its ground, and its share, one value a px of the picture; `None` = it has one colour.
+    pub ground: Option<(&'a Ground, &'a Field)>,
     /// Whether it is shown.
     pub visible: bool,
+}
+
+impl Painted<'_> {
+    /// Its colour at a px.
+    fn colour(&self, px: usize) -> [u8; 3] {
+        let value = self.pattern.values[px];
+        let colour = self.table.colour(value);
+        match self.ground {
+            Some((ground, shares)) => ground.tinted(colour, value, shares.values[px]),
+            None => colour,
+        }
+    }
 }
 
 /// The layer that paints the px at `y * width + x`: the last visible one that was free to grow there.
@@ -75,7 +89,7 @@ pub fn paint_rows(layers: &[Painted], width: usize, rows: Range<usize>, rgb: &mu
         for (x, out) in row.chunks_exact_mut(3).enumerate() {
             let px = y * width + x;
             let colour = match painter(layers, px) {
-                Some(k) => layers[k].table.colour(layers[k].pattern.values[px]),
+                Some(k) => layers[k].colour(px),
                 None => ground,
             };
             out.copy_from_slice(&colour);
@@ -115,8 +129,8 @@ mod tests {
         let free = [F, F, T, T, T];
         let layers = |shown: [bool; 2]| {
             [
-                Painted { pattern: &below, free: None, table: &a, visible: shown[0] },
-                Painted { pattern: &above, free: Some(&free), table: &b, visible: shown[1] },
+                Painted { pattern: &below, free: None, table: &a, ground: None, visible: shown[0] },
+                Painted { pattern: &above, free: Some(&free), table: &b, ground: None, visible: shown[1] },
             ]
         };
         let seen = |shown| letters(&paint(&layers(shown), 5, 1));
@@ -132,7 +146,8 @@ mod tests {
         let colours = Gradient::default_for_layer(0).table();
         let pattern =
             Field::from_fn([31, 17], [1.0; 2], Edges::Wrap, |[x, y]| ((x * y) % 10.0 / 10.0) as f32);
-        let layers = [Painted { pattern: &pattern, free: None, table: &colours, visible: true }];
+        let layers =
+            [Painted { pattern: &pattern, free: None, table: &colours, ground: None, visible: true }];
         let mut banded = vec![0; 31 * 17 * 3];
         for (band, rgb) in banded.chunks_mut(31 * 3 * 4).enumerate() {
             paint_rows(&layers, 31, 4 * band..(4 * band + 4).min(17), rgb);

@@ -1,7 +1,7 @@
 //! Test for layers that are made from scattered points.
 
 use crate::attributes::system::Family;
-use crate::document::{After, AreaKind, Document, Layer, LineKind, Points, Stroke, SystemChoice};
+use crate::document::{AreaKind, Document, Layer, LineKind, Points, Stroke, SystemChoice};
 
 impl Document {
     /// Whether layer `index` is made from scattered points: patches, cells, streaks, cracks or a field of points.
@@ -24,7 +24,7 @@ impl Layer {
     #[must_use]
     pub fn areas(&self) -> Option<AreaKind> {
         let has_outlines = || self.strokes.iter().any(|stroke| matches!(stroke, Stroke::Outline(_)));
-        let can_be = self.after == After::Between && self.options.irregular == 0.0;
+        let can_be = self.after.keeps_away() && self.options.irregular == 0.0;
         match self.system {
             SystemChoice::Auto => (can_be && has_outlines()).then_some(AreaKind::Patches),
             SystemChoice::Stripes | SystemChoice::Of(_) => self.system.areas(),

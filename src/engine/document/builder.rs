@@ -224,7 +224,7 @@ impl Colours {
     #[must_use]
     pub fn new(stops: impl IntoIterator<Item = (f64, [u8; 3])>) -> Self {
         let stops = stops.into_iter().map(|(at, colour)| Stop::opaque(at, colour)).collect();
-        Self { stops, bends: Vec::new() }
+        Self { stops, bends: Vec::new(), ground: Self::GROUND, halo: 1.0 }
     }
 }
 

@@ -76,6 +76,8 @@ pub enum After {
     /// The layer keeps away from them, as on a cheetah.
     #[default]
     Between,
+    /// The layer keeps away from them, and is the rarer the farther away from them it is, like the specks at the edges of a cow's patches.
+    Near,
     /// The layer rings them, like a leopard's rosettes.
     Around,
     /// The layer fills the space between them with a connected web, as on a giraffe.
@@ -86,8 +88,19 @@ pub enum After {
 
 impl After {
     /// All choices with their names in documents.
-    pub const NAMES: [(&'static str, Self); 4] =
-        [("between", Self::Between), ("around", Self::Around), ("net", Self::Net), ("inside", Self::Inside)];
+    pub const NAMES: [(&'static str, Self); 5] = [
+        ("between", Self::Between),
+        ("near", Self::Near),
+        ("around", Self::Around),
+        ("net", Self::Net),
+        ("inside", Self::Inside),
+    ];
+
+    /// Whether it grows in the space that the marks beneath leave, at places of its own.
+    #[must_use]
+    pub fn keeps_away(self) -> bool {
+        matches!(self, Self::Between | Self::Near)
+    }
 
     /// Its name.
     #[must_use]
@@ -99,7 +112,7 @@ impl After {
     #[must_use]
     pub fn grows(self) -> Option<Kind> {
         match self {
-            Self::Between => None,
+            Self::Between | Self::Near => None,
             Self::Around | Self::Net => Some(Kind::Line),
             Self::Inside => Some(Kind::Ellipse),
         }

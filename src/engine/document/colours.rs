@@ -11,6 +11,11 @@ pub struct Colours {
     /// `bends[i]` is the cubic Bezier (x1, y1, x2, y2, as in CSS easing) between stops i and i + 1; those
     /// that are missing at the end are straight.
     pub bends: Vec<[f64; 4]>,
+    /// The second colour of the ground (red, green, blue, sRGB), which [`MapKey::Ground`](crate::document::MapKey::Ground) mixes into the
+    /// first one.
+    pub ground: [u8; 3],
+    /// How far the colours of the ground reach from the edge of a mark, [`limits::HALO`]: 1 = as the stops say, less = nearer to the edge.
+    pub halo: f64,
 }
 
 /// A colour at a pattern value.
@@ -55,13 +60,16 @@ impl Stop {
 const STRAIGHT: [f64; 4] = [0.0, 0.0, 1.0, 1.0];
 
 impl Colours {
+    /// The second colour of a ground for which the document gives none: a white belly.
+    pub const GROUND: [u8; 3] = [u8::MAX; 3];
+
     /// The default colours of the layer with this index (0 = the lowest).
     #[must_use]
     pub fn default_for_layer(layer: usize) -> Self {
         Self::from(&Gradient::default_for_layer(layer))
     }
 
-    /// The gradient that paints them.
+    /// The gradient of its stops.
     ///
     /// ```
     /// use dapple_engine::document::Colours;
@@ -79,6 +87,36 @@ impl Colours {
                 .collect(),
             bends: self.bends.iter().map(|bend| Bend(*bend)).collect(),
         }
+    }
+
+    /// The gradient that paints them: that of the stops, with those of the ground moved towards the edge of the marks, 0.5, by
+    /// [`Self::halo`].
+    ///
+    /// ```
+    /// use dapple_engine::document::Colours;
+    ///
+    /// let halo = Colours::new([(0.0, [240, 220, 180]), (1.0, [40, 30, 20])]);
+    /// let none = Colours { halo: 0.1, ..halo.clone() };
+    /// assert_ne!(halo.painted().colour(0.4), [240, 220, 180]);
+    /// assert_eq!(none.painted().colour(0.4), [240, 220, 180]);
+    /// assert_eq!(none.painted().colour(0.5), halo.painted().colour(0.5));
+    /// ```
+    #[must_use]
+    pub fn painted(&self) -> Gradient {
+        const EDGE: f64 = 0.5;
+        if self.halo >= 1.0 {
+            return self.gradient();
+        }
+        // A stop at the edge divides the curve that crosses it.
+        let mut nearer = self.clone();
+        let is_crossed = nearer.stops.windows(2).any(|pair| pair[0].at < EDGE && pair[1].at > EDGE);
+        if is_crossed {
+            nearer.insert(EDGE);
+        }
+        for stop in nearer.stops.iter_mut().filter(|stop| stop.at < EDGE) {
+            stop.at = EDGE - self.halo * (EDGE - stop.at);
+        }
+        nearer.gradient()
     }
 
     /// The Bezier curve between stop `gap` and the next.
@@ -202,6 +240,7 @@ impl From<&Gradient> for Colours {
                 .map(|stop| Stop { at: at(stop.at), colour: stop.colour, alpha: stop.alpha })
                 .collect(),
             bends: gradient.bends.iter().map(|bend| bend.0).collect(),
+            ..Self::new([])
         };
         colours.tidy();
         colours

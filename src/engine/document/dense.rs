@@ -7,7 +7,7 @@
 use crate::attributes::Attributes;
 use crate::attributes::regions::{Region, RegionMap};
 use crate::document::layer_rules::{Beneath, Combination};
-use crate::document::{After, AreaKind, Document, Kind, Layer, MapKey, Stroke, SystemChoice};
+use crate::document::{AreaKind, Document, Kind, Layer, MapKey, Stroke, SystemChoice};
 use crate::grid::Bounds;
 use crate::marks::{Ellipse, Mark};
 
@@ -81,7 +81,7 @@ impl Document {
     }
 
     fn may_be_areas(&self, index: usize) -> bool {
-        let followed = self.layers.get(index + 1).is_some_and(|above| above.after != After::Between);
+        let followed = self.layers.get(index + 1).is_some_and(|above| !above.after.keeps_away());
         let choice = |layer: &Layer| layer.system == SystemChoice::Auto && layer.strokes.len() >= LEAST;
         !followed
             && self.layers.get(index).is_some_and(|layer| choice(layer) && takes(layer, AreaKind::Patches))
@@ -144,14 +144,14 @@ fn takes(layer: &Layer, kind: AreaKind) -> bool {
     let mapped = [MapKey::Area, MapKey::Spacing].iter().any(|key| layer.maps.get(*key).is_some());
     layer.options.irregular == 0.0
         && !mapped
-        && layer.after == After::Between
+        && layer.after.keeps_away()
         && Combination { system, ..combination }.broken_rule().is_none()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::LayerOptions;
+    use crate::document::{After, LayerOptions};
 
     /// A row of three and a row of two discs that cover the share c of the plane, 40 px apart.
     fn document(c: f64, change: impl Fn(Layer) -> Layer) -> Document {

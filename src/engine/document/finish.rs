@@ -14,6 +14,9 @@ pub(in crate::document) const HAIR: &str = "hair";
 /// The size of a finish.
 const SIZE: Range = Range { low: Finish::SIZES[0], high: Finish::SIZES[1], unit: "px" };
 
+/// The mottling of a finish.
+const MOTTLING: Range = Range { low: Finish::MOTTLING[0], high: Finish::MOTTLING[1], unit: "" };
+
 /// The material of a texture, and its direction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finishing {
@@ -67,6 +70,12 @@ pub(super) static FINISH: Object = Object {
             "the size of its parts, of fur the mean length of a hair, px; each kind has a default of its own",
         ),
         Key::new(
+            "mottle",
+            Shape::Number(MOTTLING),
+            "0",
+            "how much its tone varies slowly and finely, standard deviation ÷ tone",
+        ),
+        Key::new(
             "flow",
             Shape::Number(Range::ANGLE),
             Key::NONE,
@@ -108,7 +117,8 @@ pub(super) fn read(node: &Node) -> Result<Finishing, Problem> {
             FlowChoice::Angle(angle)
         }
     };
-    Ok(Finishing { finish: Finish { kind, size }, flow })
+    let mottle = node.get("mottle").map_or(Ok(0.0), |node| node.number(&MOTTLING))?;
+    Ok(Finishing { finish: Finish { kind, size, mottle }, flow })
 }
 
 /// The kinds that have a direction, in words.
@@ -171,6 +181,9 @@ pub(super) fn written(finishing: &Finishing) -> Value {
     let mut map = Map::new();
     map.insert("kind".into(), json!(finishing.finish.kind.name()));
     map.insert("size".into(), number(finishing.finish.size));
+    if finishing.finish.mottle > 0.0 {
+        map.insert("mottle".into(), number(finishing.finish.mottle));
+    }
     if let FlowChoice::Angle(angle) = finishing.flow {
         map.insert("flow".into(), number(angle));
     }
@@ -196,7 +209,11 @@ mod tests {
 
     #[test]
     fn a_finish_is_read_and_written() {
-        for finish in [r#""finish": {"kind": "fur"},"#, r#""finish": {"kind": "twill", "size": 4.5},"#, ""] {
+        for finish in [
+            r#""finish": {"kind": "fur"},"#,
+            r#""finish": {"kind": "twill", "size": 4.5, "mottle": 0.1},"#,
+            "",
+        ] {
             let document = parsed(finish, "").unwrap();
             assert_eq!(document.finish.is_some(), !finish.is_empty());
             assert_eq!(Document::parse(&document.to_json(), "b").unwrap(), document);
@@ -233,6 +250,7 @@ mod tests {
             (r#""finish": {},"#, "", "no key \"kind\""),
             (r#""finish": {"kind": "fur", "size": 100},"#, "", "from 2 to 64 px"),
             (r#""finish": {"kind": "cloth", "flow": 30},"#, "", "only with fur"),
+            (r#""finish": {"kind": "fur", "mottle": 0.5},"#, "", "from 0 to 0.3"),
             (r#""finish": {"kind": "fur", "flow": 30},"#, HAIR, "one of the two"),
             (r#""finish": {"kind": "fur"}, "model": {"file": "sphere"},"#, "", "without \"model\""),
             ("", HAIR, "without a finish"),

@@ -51,6 +51,12 @@ pub const DUTY: Range =
 pub const IRREGULAR: Range = Range { low: 0.0, high: 1.0, unit: "" };
 /// Place of a colour stop: a pattern value.
 pub const STOP: Range = Range { low: 0.0, high: 1.0, unit: "" };
+/// The distance from the marks beneath at which marks near them become rare.
+pub const NEAR: Range = Range { low: 2.0, high: 1_000.0, unit: "px" };
+/// A share that a map gives; below 0 it counts as 0, above 1 as 1, so that a slow map can have steep borders.
+pub const MAP_SHARE: Range = Range { low: -5.0, high: 5.0, unit: "" };
+/// How far the colours of the ground reach from the edge of a mark. At the least it is a px or two of most patterns.
+pub const HALO: Range = Range { low: 0.05, high: 1.0, unit: "" };
 /// x of a Bezier handle: inside the gap, or the curve would turn back (as in CSS).
 pub const BEND_X: Range = Range { low: 0.0, high: 1.0, unit: "" };
 /// y of a Bezier handle: it may overshoot the two colours, by no more than twice their distance.

@@ -23,12 +23,22 @@ pub enum MapKey {
     Colour,
     /// The parameter G of Turing's growth.
     Growth,
+    /// The share of the second colour of the ground.
+    Ground,
 }
 
 impl MapKey {
     /// All keys, in the order in which documents write them.
-    pub const ALL: [Self; 7] =
-        [Self::Area, Self::Spacing, Self::Direction, Self::Aspect, Self::Duty, Self::Colour, Self::Growth];
+    pub const ALL: [Self; 8] = [
+        Self::Area,
+        Self::Spacing,
+        Self::Direction,
+        Self::Aspect,
+        Self::Duty,
+        Self::Colour,
+        Self::Growth,
+        Self::Ground,
+    ];
     /// The keys for attributes of marks.
     pub const OF_MARKS: [Self; 5] = [Self::Area, Self::Spacing, Self::Direction, Self::Aspect, Self::Duty];
 
@@ -43,7 +53,14 @@ impl MapKey {
             Self::Duty => "duty",
             Self::Colour => "colour",
             Self::Growth => "growth",
+            Self::Ground => "ground",
         }
+    }
+
+    /// Whether it changes colours only, not what grows.
+    #[must_use]
+    pub fn is_painted(self) -> bool {
+        matches!(self, Self::Colour | Self::Ground)
     }
 
     /// The unit of its values; empty for ratios.
@@ -53,7 +70,7 @@ impl MapKey {
             Self::Area => "px²",
             Self::Spacing => "px",
             Self::Direction => "degrees",
-            Self::Aspect | Self::Duty | Self::Colour | Self::Growth => "",
+            Self::Aspect | Self::Duty | Self::Colour | Self::Growth | Self::Ground => "",
         }
     }
 
@@ -61,6 +78,7 @@ impl MapKey {
     #[must_use]
     pub fn change(self, factor: bool) -> MapChange {
         match (self, factor) {
+            (Self::Ground, _) => MapChange::Replace,
             (Self::Direction, true) | (Self::Colour, false) => MapChange::Add,
             (_, true) => MapChange::Multiply,
             (_, false) => MapChange::Replace,
@@ -73,6 +91,7 @@ impl MapKey {
         match (self, change) {
             (Self::Direction, MapChange::Replace) => [0.0, 90.0],
             (Self::Direction, _) => [-25.0, 25.0],
+            (Self::Ground, _) => [-1.0, 1.5],
             (Self::Colour, MapChange::Add | MapChange::Replace) => [-0.25, 0.25],
             (Self::Area, MapChange::Replace) => [150.0, 600.0],
             (Self::Spacing, MapChange::Replace) => [25.0, 50.0],
@@ -90,6 +109,7 @@ impl MapKey {
     pub fn allowed(self, change: MapChange) -> Range {
         match (self, change) {
             (Self::Direction, _) => limits::MAP_DIRECTION,
+            (Self::Ground, _) => limits::MAP_SHARE,
             (Self::Colour, MapChange::Add | MapChange::Replace) => limits::MAP_SHIFT,
             (_, MapChange::Multiply) => limits::MAP_FACTOR,
             (Self::Area, _) => limits::MAP_AREA,
@@ -132,7 +152,7 @@ pub enum MapSource {
         /// colours it tells whether places in the gradient are multiplied or shifted.
         factor: bool,
     },
-    /// Noise: it multiplies values, but is added to directions and to places of colours.
+    /// Noise: it multiplies values, but is added to directions and to places of colours, and is itself the share of a colour.
     Noise {
         /// Distance from a light place to the next dark one, px: [`limits::MAP_SIZE`].
         size: f64,
@@ -159,7 +179,8 @@ impl LayerMap {
     /// A new map by which a picture changes the values of the sketch; colours are shifted.
     #[must_use]
     pub fn picture(key: MapKey, image: ToneImage) -> Self {
-        let map = Self { source: MapSource::Image { image, factor: key != MapKey::Colour }, range: [0.0; 2] };
+        let factor = !matches!(key, MapKey::Colour | MapKey::Ground);
+        let map = Self { source: MapSource::Image { image, factor }, range: [0.0; 2] };
         Self { range: key.usual(map.change(key)), ..map }
     }
 
@@ -200,9 +221,9 @@ impl LayerMaps {
         self.0.iter().all(Option::is_none)
     }
 
-    /// The maps that influence the growth, not only the colours.
+    /// The maps that change what grows, not only the colours.
     pub fn growing(&self) -> impl Iterator<Item = (MapKey, &LayerMap)> {
-        self.iter().filter(|(key, _)| *key != MapKey::Colour)
+        self.iter().filter(|(key, _)| !key.is_painted())
     }
 
     /// Whether one of the maps influences the growth.
@@ -263,6 +284,12 @@ pub(super) static MAPS: Object = Object {
             Key::NONE,
             "the growth of `\"system\": \"turing-growth\"`: 17.5 (dots) to 27.5 (holes); 22 (worms) without a map",
         ),
+        Key::new(
+            "ground",
+            ANY_MAP,
+            Key::NONE,
+            "the share of the second colour of the ground, `colours.ground`, in the first one: −5 to 5, of which less than 0 counts as 0 and more than 1 as 1. Marks keep their colours",
+        ),
     ],
 };
 
@@ -280,7 +307,7 @@ static MAP: Object = Object {
             "factor",
             Shape::Flag,
             "false",
-            "whether what the sketch asks for is multiplied instead, by 0.1 to 10. Directions are turned by −720 to 720 degrees. Of places in the gradient, which are shifted otherwise, the distance from the edge (0.5) is multiplied",
+            "whether what the sketch asks for is multiplied instead, by 0.1 to 10. Directions are turned by −720 to 720 degrees. Of places in the gradient, which are shifted otherwise, the distance from the edge (0.5) is multiplied. Not of `ground`",
         ),
     ],
 };
@@ -314,7 +341,7 @@ static NOISE: Object = Object {
             "range",
             Shape::Numbers(&[limits::MAP_DIRECTION; 2]),
             Key::REQUIRED,
-            "the values at the lowest and the highest: factors 0.1 to 10, turns −720 to 720 degrees, shifts −0.5 to 0.5",
+            "the values at the lowest and the highest: factors 0.1 to 10, turns −720 to 720 degrees, shifts −0.5 to 0.5, shares of `ground` −5 to 5",
         ),
     ],
 };
@@ -348,7 +375,15 @@ fn map(node: &Node, key: MapKey) -> Result<LayerMap, Problem> {
     node.is(&MAP)?;
     let image = node.get("image").ok_or_else(|| node.found("no key \"image\"", ALLOWED))?;
     let image = tone::image(&image, REMEDY)?;
-    let factor = node.get("factor").map_or(Ok(false), |node| node.flag())?;
+    let factor = match node.get("factor") {
+        Some(node) if key == MapKey::Ground => {
+            return Err(
+                node.found("a factor of the ground", "none: the map is the share of the second colour")
+            );
+        }
+        Some(node) => node.flag()?,
+        None => false,
+    };
     ranged(node, key, LayerMap { source: MapSource::Image { image, factor }, range: [0.0; 2] })
 }
 
@@ -374,7 +409,7 @@ mod tests {
         let sizes = MapKey::ALL.map(|key| maps.get(key).cloned());
         assert_eq!(sizes, core::array::from_fn(|index| Some(noise(index as f64 + 1.0))));
         assert!(maps.change_growth());
-        let growing = MapKey::ALL.into_iter().filter(|key| *key != MapKey::Colour);
+        let growing = MapKey::ALL.into_iter().filter(|key| !key.is_painted());
         growing.for_each(|key| maps.set(key, None));
         assert!(!maps.change_growth() && !maps.is_empty());
     }
@@ -393,7 +428,7 @@ mod tests {
     fn noise_turns_directions_shifts_colours_and_multiplies_the_rest() {
         let noise = LayerMap { source: MapSource::Noise { size: 9.0, octaves: 1 }, range: [0.5, 1.0] };
         let changes = MapKey::ALL.map(|key| noise.change(key));
-        use MapChange::{Add, Multiply};
-        assert_eq!(changes, [Multiply, Multiply, Add, Multiply, Multiply, Add, Multiply]);
+        use MapChange::{Add, Multiply, Replace};
+        assert_eq!(changes, [Multiply, Multiply, Add, Multiply, Multiply, Add, Multiply, Replace]);
     }
 }

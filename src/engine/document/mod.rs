@@ -19,6 +19,7 @@
 //! | `model.up`, `model.along` | `"y"`, `"x"` |
 //! | `model.pins`, `model.strokes`, `model.only` | none |
 //! | the `region` and `toward` of a pin | [0, 0]; along the axis `along` |
+//! | `warp` | none: marks stay as they grow |
 //! | `finish` | none: the colours alone |
 //! | `finish.size` | by kind: [`crate::finish::Kind::usual_size`] |
 //! | `finish.flow` | across the stripes of the lowest visible layer, otherwise 190 |
@@ -33,6 +34,7 @@
 //! | `options.spread`, of spots | `"drawn"` |
 //! | `options.duty`, of stripes | `"drawn"` |
 //! | `options.broken`, of `"after": "around"` | 0: closed rings |
+//! | `options.near`, of `"after": "near"` | 24 |
 //! | `options.irregular`, of spots | 0 |
 //! | `options.keep` | true where there are no regions or one, `irregular` is 0, and no map changes what grows |
 //! | `options.seeding`, of stripes | `"noise"` |
@@ -48,6 +50,8 @@
 //! | `factor` of a map with an image | false |
 //! | a layer's `colours` | the default set of that layer |
 //! | `colours.bends` | none: straight between all stops |
+//! | `colours.ground` | white |
+//! | `colours.halo` | 1: the ground as the stops say |
 //! | an ellipse's `angle`; the `normal` of one on the model | 0; either side |
 //! | an ellipse's `outline` | none: it was drawn as an ellipse |
 //! | the `width` of a line, a path or a freehand stroke | 6 px |
@@ -149,6 +153,7 @@ mod system_choice;
 pub mod systems;
 pub mod tile;
 mod tone;
+mod warp;
 mod weaving;
 mod writer;
 
@@ -177,6 +182,7 @@ pub use schema::schema;
 pub use setting::Setting;
 pub use system_choice::SystemChoice;
 pub use tone::{Drives, Tone, ToneImage};
+pub use warp::Warp;
 
 use crate::attributes::system::Family;
 use crate::marks::{Mark, ellipse_of_outline};
@@ -206,6 +212,8 @@ pub struct Document {
     pub model: Option<Body>,
     /// The surface of which the canvas is the flat map; `None` = the canvas itself, or the model.
     pub parametric: Option<ParametricSurface>,
+    /// How its grown marks are bent; `None` = they stay as they grow.
+    pub warp: Option<Warp>,
     /// The material that the texture is made of; `None` = the colours alone.
     pub finish: Option<Finishing>,
     /// The layers, the lowest first; at least one.
@@ -227,6 +235,7 @@ impl Default for Document {
             growth: Growth::default(),
             model: None,
             parametric: None,
+            warp: None,
             finish: None,
             layers: Vec::new(),
             starred: Vec::new(),
@@ -287,7 +296,7 @@ impl Document {
         let changes = maps.change_growth() || self.parametric.is_some();
         let usual = self.region_grid() == [1, 1] && options.irregular == 0.0 && !changes;
         // The lowest layer has nothing beneath it to come after.
-        (index == 0 || *after == After::Between) && options.keep.unwrap_or(usual)
+        (index == 0 || after.keeps_away()) && options.keep.unwrap_or(usual)
     }
 
     /// Columns and rows of the tables and overlays that go by region: 1 × 1 without regions.
@@ -393,6 +402,8 @@ pub struct LayerOptions {
     pub duty: DutyChoice,
     /// The share of each ring of an `around` layer that is open, 0..[`limits::BROKEN`].
     pub broken: f64,
+    /// The distance from the marks beneath at which the marks of a `near` layer are 1/e as frequent as beside them, px: [`limits::NEAR`].
+    pub near: f64,
     /// Irregularity of its spots, 0–1.
     pub irregular: f64,
     /// Whether the drawn marks are among those that grow; `None` = see [`Document::keeps_marks`].
@@ -428,6 +439,7 @@ impl Default for LayerOptions {
             spread: SpreadChoice::default(),
             duty: DutyChoice::default(),
             broken: 0.0,
+            near: 24.0,
             irregular: 0.0,
             keep: None,
             seeding: Seeding::Noise,

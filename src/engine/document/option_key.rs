@@ -23,6 +23,8 @@ pub enum OptionKey {
     Seeding,
     /// The share of each ring that is open.
     Broken,
+    /// The distance at which marks near those beneath become rare.
+    Near,
     /// Whether the drawn marks are among those that grow.
     Keep,
     /// How much the width of stripes varies along them.
@@ -74,12 +76,13 @@ macro_rules! entry {
 
 impl OptionKey {
     /// All keys, in the order in which they are shown, checked and written.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::Spread,
         Self::Irregular,
         Self::Duty,
         Self::Seeding,
         Self::Broken,
+        Self::Near,
         Self::Keep,
         Self::Vary,
         Self::Double,
@@ -105,6 +108,7 @@ impl OptionKey {
                 entry!(seeding, &["\"noise\""], |node: Read| node.choice(&SEEDINGS), seeding_json)
             }
             Self::Broken => entry!(broken, &["0"], |node: Read| node.number(&limits::BROKEN), number),
+            Self::Near => entry!(near, &["24"], |node: Read| node.number(&limits::NEAR), number),
             Self::Keep => entry!(keep, &["false"], |node: Read| node.flag().map(Some), |keep| json!(keep)),
             Self::Vary => entry!(vary, &["0"], |node: Read| node.number(&limits::VARY), number),
             Self::Double => entry!(double, &["0"], |node: Read| node.number(&limits::DOUBLE), number),
@@ -194,6 +198,12 @@ pub(super) static OPTIONS: Object = Object {
             "what stripes begin from: noise of their direction, short segments, the drawn lines alone",
         ),
         Key::new("broken", Shape::Number(limits::BROKEN), "0", "the share of each ring that is open"),
+        Key::new(
+            "near",
+            Shape::Number(limits::NEAR),
+            "24",
+            "the distance from the marks beneath at which marks near them are 1/e as frequent as beside them",
+        ),
         Key::new(
             "keep",
             Shape::Flag,
@@ -422,6 +432,7 @@ mod tests {
             assert!(key.is_default(&options) && !key.is_set(&options), "{}", key.name());
         }
         assert_eq!(OptionKey::Duty.always_allowed()[1], LayerOptions::DUTY.to_string());
+        assert_eq!(OptionKey::Near.always_allowed(), [options.near.to_string()]);
         assert_eq!(OptionKey::Detail.always_allowed(), [options.detail.to_string()]);
         assert_eq!(OptionKey::Decay.always_allowed(), [options.decay.to_string()]);
     }

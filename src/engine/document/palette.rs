@@ -160,7 +160,7 @@ impl Palette {
         }
         let places = named(&swatches).unwrap_or_else(|| even(swatches.len()));
         let stops = places.into_iter().zip(&swatches).map(|(at, swatch)| Stop::opaque(at, swatch.colour));
-        Ok(Self { name, colours: Colours { stops: stops.collect(), bends: Vec::new() } })
+        Ok(Self { name, colours: Colours { stops: stops.collect(), ..Colours::new([]) } })
     }
 
     /// The text of its `.gpl` file: colours and places, no bends and no opacity.

@@ -15,6 +15,7 @@ use crate::document::points;
 use crate::document::shape::{ANY, Key, Object, Shape};
 use crate::document::strokes;
 use crate::document::tone;
+use crate::document::warp;
 use crate::document::{
     After, Body, Colours, Document, Growth, Kind, Layer, Problem, Starred, Stop, Stroke, SystemChoice,
 };
@@ -73,6 +74,12 @@ pub(super) static DOCUMENT: Object = Object {
             "the model that it grows on, instead of the flat canvas; or the surface of which the canvas is the flat map",
         ),
         Key::new(
+            "warp",
+            Shape::Object(&warp::WARP),
+            Key::NONE,
+            "how the grown marks are bent; not with a `model` that is grown on",
+        ),
+        Key::new(
             "finish",
             Shape::Object(&finish::FINISH),
             Key::NONE,
@@ -103,7 +110,7 @@ static STARRED: Object = Object {
 };
 
 /// A document that another one keeps: its format and version are those of the other.
-static KEPT: Object = Object { name: "Kept document", keys: DOCUMENT.keys.split_at(2).1.split_at(10).0 };
+static KEPT: Object = Object { name: "Kept document", keys: DOCUMENT.keys.split_at(2).1.split_at(11).0 };
 
 static GROWTH: Object = Object {
     name: "Growth",
@@ -124,7 +131,7 @@ static LAYER: Object = Object {
             "after",
             Shape::Choice(|| names(&After::NAMES)),
             "\"between\"",
-            "how it meets the marks beneath: between them (stripes pass under stripes that they cross, by more than 35° in the mean), as rings around them, as a net between them, inside each",
+            "how it meets the marks beneath: between them (stripes pass under stripes that they cross, by more than 35° in the mean), between them but rarer the farther away, as rings around them, as a net between them, inside each",
         ),
         Key::new("visible", Shape::Flag, "true", "whether it is painted; a hidden layer still grows"),
         Key::new(
@@ -197,6 +204,18 @@ static COLOURS: Object = Object {
             "[]",
             "between stops i and i + 1 a cubic Bezier curve x1, y1, x2, y2 as in CSS (x 0 to 1, y −2 to 3); missing ones are straight",
         ),
+        Key::new(
+            "ground",
+            Shape::Hexadecimal("#", &[3, 6]),
+            "\"#ffffff\"",
+            "the second colour of the ground, sRGB; `maps.ground` says where",
+        ),
+        Key::new(
+            "halo",
+            Shape::Number(limits::HALO),
+            "1",
+            "how far the colours of stops below 0.5 reach from the edge of a mark: 1 = as the stops say; 0.05 = the ground has its own colour up to the edge",
+        ),
     ],
 };
 
@@ -235,6 +254,7 @@ pub(super) fn document(root: &Node) -> Result<Document, Problem> {
         seed: seed(root)?.unwrap_or(default.seed),
         dpi: root.get("dpi").map_or(Ok(default.dpi), |node| node.number(&limits::DPI))?,
         growth: root.get("growth").map_or(Ok(default.growth), |node| growth(&node))?,
+        warp: root.get("warp").map(|node| warp::read(&node, model.is_some())).transpose()?,
         finish: finish::combined(finish, hair, on_model)?,
         layers,
         model,
@@ -332,7 +352,9 @@ pub(super) fn colours(node: &Node) -> Result<Colours, Problem> {
     node.is(&COLOURS)?;
     let stops = stops(&node.need("stops", "a list of colour stops")?)?;
     let bends = node.get("bends").map_or(Ok(Vec::new()), |node| bends(&node, stops.len() - 1))?;
-    Ok(Colours { stops, bends })
+    let ground = node.get("ground").map_or(Ok(Colours::GROUND), |node| opaque(&node))?;
+    let halo = node.get("halo").map_or(Ok(1.0), |node| node.number(&limits::HALO))?;
+    Ok(Colours { stops, bends, ground, halo })
 }
 
 /// Reads at least one stop; the places of stops ascend.
@@ -350,6 +372,15 @@ fn stops(node: &Node) -> Result<Vec<Stop>, Problem> {
         stops.push(Stop { at, colour: [red, green, blue], alpha });
     }
     if stops.is_empty() { Err(node.found("no stops", "at least one colour stop")) } else { Ok(stops) }
+}
+
+/// `#rrggbb` or `#rgb`.
+fn opaque(node: &Node) -> Result<[u8; 3], Problem> {
+    const ALLOWED: &str = "#rrggbb or #rgb in hexadecimal digits";
+    let has_opacity = node.text(ALLOWED)?.len() > 7;
+    let [red, green, blue, _] =
+        colour(node).map_err(|problem| Problem { allowed: ALLOWED.to_owned(), ..problem })?;
+    if has_opacity { Err(node.wrong(ALLOWED)) } else { Ok([red, green, blue]) }
 }
 
 /// `#rrggbb`, `#rgb`, or with opacity `#rrggbbaa`.

@@ -3,8 +3,8 @@
 use crate::document::node::number;
 use crate::document::{
     Body, BodyEllipse, BodyMark, BodySource, Colours, Document, FlowChoice, Interpolation, Labels, Layer,
-    LayerMap, MapSource, ParametricSurface, Pin, Points, Progression, Starred, Stroke, Tone, Towards,
-    choices, finish, migrate, option_key, reader,
+    LayerMap, MapSource, ParametricSurface, Pin, Points, Progression, Starred, Stop, Stroke, Tone, Towards,
+    choices, finish, migrate, option_key, reader, warp,
 };
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
@@ -32,6 +32,9 @@ pub(super) fn value(document: &Document) -> Value {
     }
     if let Some(surface) = &document.parametric {
         map.insert("model".into(), parametric(surface));
+    }
+    if let Some(warp) = &document.warp {
+        map.insert("warp".into(), warp::written(warp));
     }
     if let Some(finishing) = &document.finish {
         map.insert("finish".into(), finish::written(finishing));
@@ -283,7 +286,14 @@ fn stroke(stroke: &Stroke) -> Value {
 pub(super) fn colours(colours: &Colours) -> Value {
     let stops = colours.stops.iter().map(|stop| json!({"at": number(stop.at), "colour": stop.hex()}));
     let bends = colours.bends.iter().map(|bend| numbers(bend));
-    json!({"stops": stops.collect::<Vec<_>>(), "bends": bends.collect::<Vec<_>>()})
+    let mut value = json!({"stops": stops.collect::<Vec<_>>(), "bends": bends.collect::<Vec<_>>()});
+    if colours.ground != Colours::GROUND {
+        value["ground"] = json!(Stop::opaque(0.0, colours.ground).hex());
+    }
+    if colours.halo < 1.0 {
+        value["halo"] = number(colours.halo);
+    }
+    value
 }
 
 fn numbers(numbers: &[f64]) -> Value {

@@ -81,6 +81,22 @@ impl Kind {
         }
     }
 
+    /// Factor of its tone, so that a gray picture keeps its mean: gaps between hairs, threads and scales, and what lies in the shade,
+    /// make it darker by as much. Ink and print mix colours with the paper and keep theirs.
+    #[must_use]
+    pub(super) fn exposure(self) -> f32 {
+        match self {
+            Self::Fur => 1.24,
+            Self::FishScales => 1.07,
+            Self::ReptileScales => 1.29,
+            Self::Skin => 1.21,
+            Self::Leather => 1.1,
+            Self::Cloth => 1.38,
+            Self::Twill => 1.34,
+            Self::Ink | Self::Print => 1.0,
+        }
+    }
+
     /// Whether the flow of a document changes it.
     #[must_use]
     pub fn has_flow(self) -> bool {
@@ -95,15 +111,20 @@ pub struct Finish {
     pub kind: Kind,
     /// The size of its parts, px of the document: what [`Kind::measure`] says.
     pub size: f64,
+    /// Standard deviation of its tone, as a share of it, [`Self::MOTTLING`].
+    pub mottle: f64,
 }
 
 impl Finish {
     /// The least and the greatest size, px.
     pub const SIZES: [f64; 2] = [2.0, 64.0];
 
-    /// A finish of the usual size.
+    /// The least and the greatest mottling.
+    pub const MOTTLING: [f64; 2] = [0.0, 0.3];
+
+    /// A finish of the usual size, without mottling.
     #[must_use]
     pub fn new(kind: Kind) -> Self {
-        Self { kind, size: kind.usual_size() }
+        Self { kind, size: kind.usual_size(), mottle: 0.0 }
     }
 }

@@ -1,8 +1,8 @@
 //! Finishes: the material that a grown texture is made of, as colour, height and roughness at any resolution.
 //!
 //! ```text
-//! colours, labels, flow ─▶ reach ─▶ fur | scales | skin | cloth | ink | print ─▶ light ─▶ mask
-//!                          how far    colour, tint, height, roughness of each px     marks without crumbs
+//! colours, labels, flow ─▶ reach ─▶ fur | scales | skin | cloth | ink | print ─▶ light ─▶ mottling ─▶ mask
+//!                          how far    colour, tint, height, roughness of each px          tone        marks without crumbs
 //! ```
 //!
 //! A finish comes after everything that is measured: pattern, labels and outlines do not know it. It has a picture of its own marks,
@@ -17,6 +17,7 @@ pub mod ink;
 mod kind;
 pub mod light;
 pub mod mask;
+pub mod mottling;
 pub mod noise;
 pub mod print;
 pub mod reach;
@@ -25,6 +26,8 @@ pub mod skin;
 pub mod surfel;
 #[cfg(test)]
 mod tests;
+
+use rayon::prelude::*;
 
 pub use flow::Flow;
 pub use kind::{Finish, Kind};
@@ -87,6 +90,11 @@ impl Finish {
     #[must_use]
     pub fn paint(&self, source: &Source) -> Finished {
         let mut surfels = self.surfels(source);
+        let exposure = self.kind.exposure();
+        surfels.par_iter_mut().for_each(|surfel| surfel.tint *= exposure);
+        if self.mottle > 0.0 {
+            mottling::mottle(&mut surfels, source, self.size as f32, self.mottle as f32);
+        }
         let mask = mask::settled(&mut surfels, source);
         let heights = surfels.iter().map(|surfel| surfel.height);
         let heights = heights.fold([0.0_f32; 2], |[low, high], height| [low.min(height), high.max(height)]);

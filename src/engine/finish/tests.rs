@@ -111,6 +111,49 @@ fn the_colours_of_the_picture_agree_with_its_mask() {
     }
 }
 
+/// The mean and the standard deviation of the tone that a finish makes of a gray picture without marks.
+fn tone(finish: Finish) -> [f32; 2] {
+    let size = [SIDE; 2];
+    let (rgb, labels) = (vec![128; 3 * SIDE * SIDE], vec![0; SIDE * SIDE]);
+    let reach = finish.reach(&labels, size, Edges::Wrap);
+    let surfels = finish
+        .paint(&Source {
+            size,
+            canvas: [SIDE as f32; 2],
+            edges: Edges::Wrap,
+            rgb: &rgb,
+            labels: &labels,
+            flow: &Flow::uniform(190.0),
+            reach: &reach,
+            seed: 5,
+        })
+        .surfels;
+    let count = surfels.len() as f32;
+    let mean = surfels.iter().map(gray).sum::<f32>() / count;
+    let square = surfels.iter().map(|surfel| (gray(surfel) - mean).powi(2)).sum::<f32>() / count;
+    [mean, square.sqrt()]
+}
+
+#[test]
+fn a_gray_picture_keeps_its_mean_tone() {
+    for finish in every().filter(|finish| !matches!(finish.kind, Kind::Ink | Kind::Print)) {
+        let [mean, _] = tone(finish);
+        assert!((mean / 0.502 - 1.0).abs() < 0.05, "{finish:?}: {mean}");
+    }
+}
+
+#[test]
+fn mottling_varies_the_tone_as_much_as_asked_and_leaves_the_marks() {
+    let finish = Finish::new(Kind::Ink);
+    let ([mean, deviation], mottled) = (tone(finish), Finish { mottle: 0.1, ..finish });
+    let [mottled_mean, varied] = tone(mottled);
+    assert!((mottled_mean / mean - 1.0).abs() < 0.05, "{mean} {mottled_mean}");
+    let added = (varied * varied - deviation * deviation).sqrt() / mean;
+    assert!((0.06..0.14).contains(&added), "{added}");
+    let [before, after] = [finish, mottled].map(|finish| of(finish, 1, |source| finish.paint(source).mask));
+    assert!(before == after);
+}
+
 #[test]
 fn every_finish_is_seamless_on_a_tile() {
     for finish in every() {
@@ -147,7 +190,7 @@ fn the_number_of_threads_does_not_change_a_byte() {
 #[test]
 fn hairs_painted_one_after_the_other_equal_those_found_px_by_px() {
     const CANVAS: [usize; 2] = [28, 18];
-    let finish = Finish { kind: Kind::Fur, size: 6.0 };
+    let finish = Finish { size: 6.0, ..Finish::new(Kind::Fur) };
     let labels = |scale: usize| -> Vec<u8> {
         let width = CANVAS[0] * scale;
         (0..width * CANVAS[1] * scale).map(|px| u8::from(px % width / scale % 14 < 6)).collect()
@@ -176,7 +219,7 @@ fn hairs_painted_one_after_the_other_equal_those_found_px_by_px() {
 
 #[test]
 fn hair_at_a_closed_border_has_no_colour_of_the_other_side() {
-    let (size, finish) = ([60, 24], Finish { kind: Kind::Fur, size: 12.0 });
+    let (size, finish) = ([60, 24], Finish { size: 12.0, ..Finish::new(Kind::Fur) });
     let labels: Vec<u8> = (0..60 * 24).map(|px| u8::from(px % 60 >= 30)).collect();
     let rgb: Vec<u8> = labels.iter().flat_map(|label| [255 * label; 3]).collect();
     let (reach, flow) = (finish.reach(&labels, size, Edges::Closed), Flow::uniform(0.0));

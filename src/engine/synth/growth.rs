@@ -9,7 +9,9 @@
 //! It has no threads, no clock and no callbacks of its own: its caller decides how much is done in one call. To pause, do not
 //! advance; to cancel, drop it. The result does not depend on how the growth was advanced, nor on whether it was read in between.
 
-use crate::document::Document;
+use crate::document::{After, Document, Layer};
+use crate::grid::Field;
+use crate::synth::drawn::is_replaced;
 use crate::synth::error::{GrowError, LayerError};
 use crate::synth::kind::{Beneath, GrownBeneath, Request, Seen, Setting};
 use crate::synth::layer::{GrownLayer, LayerGrowth, LayerPlan};
@@ -19,6 +21,7 @@ use crate::synth::passes::PassSet;
 use crate::synth::profile::{Section, during};
 use crate::synth::report::DrawnMark;
 use crate::synth::shaped::Shapes;
+use crate::synth::thinned::Thinning;
 use crate::synth::watch::Stage;
 
 /// A grown texture.
@@ -253,10 +256,28 @@ impl<'a> Growth<'a> {
                 let shaped = during(Section::Steps, || shapes.applied(&*layer.pattern(), seed));
                 layer.show(shaped);
             }
+            if let Some(thinned) = during(Section::Steps, || self.thinned(&layer)) {
+                layer.show(thinned);
+            }
             self.layers.push(layer);
         }
         self.state = if self.layers.len() < self.document.layers.len() { State::Begin } else { State::Done };
         1
+    }
+
+    /// The pattern of a layer `near` the marks beneath without those that are removed; `None` of other layers.
+    fn thinned(&self, layer: &GrownLayer) -> Option<Field> {
+        let index = self.layers.len();
+        let Layer { after, options, .. } = &self.document.layers[index];
+        if *after != After::Near || index == 0 {
+            return None;
+        }
+        let shown = (0..index).filter(|beneath| !is_replaced(self.document, *beneath));
+        let beneath: Vec<_> = shown.map(|beneath| self.layers[beneath].pattern()).collect();
+        let drawn: Vec<[f64; 2]> =
+            layer.drawn().iter().filter(|mark| mark.there).map(|mark| mark.place).collect();
+        let thinning = Thinning { near: options.near, seed: self.document.layer_seed(index) };
+        thinning.applied(&*layer.pattern(), &beneath, &drawn)
     }
 
     /// The current stage of the work, and the share of it that is done, 0..1.

@@ -19,6 +19,7 @@ pub mod pattern;
 pub mod profile;
 pub mod report;
 pub mod shaped;
+pub mod thinned;
 pub mod time;
 mod training;
 mod watch;
@@ -45,6 +46,7 @@ pub mod one_value;
 pub mod pair_patch;
 pub mod render;
 mod short_way;
+pub mod warped;
 
 // Besides growing: laws without a canvas, and documents made from pictures.
 pub mod closed_form;

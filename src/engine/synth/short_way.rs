@@ -16,6 +16,7 @@ use crate::synth::options::Options;
 use crate::synth::render::outlining::{Outlining, outlines};
 use crate::synth::render::painting::{Painting, Style};
 use crate::synth::report::Report;
+use crate::synth::warped::warped;
 use crate::synth::watch::Watch;
 
 impl Document {
@@ -71,11 +72,14 @@ impl Grown {
         self.painting(1).rgb()
     }
 
-    /// The pattern of layer `index` (0 = the lowest) at the canvas' size: 0 = ground, 0.5 = a mark's edge, 1 = its centre.
+    /// The pattern of layer `index` (0 = the lowest) at the canvas' size, bent by the warp of the document: 0 = ground, 0.5 = a mark's
+    /// edge, 1 = its centre.
     #[must_use]
     pub fn pattern(&self, index: usize) -> Option<Field> {
         let [width, height] = self.size.map(|side| side as usize);
-        self.layers.get(index).map(|layer| GrownLayer::pattern(layer).field(width, height))
+        let pattern = GrownLayer::pattern(self.layers.get(index)?);
+        let pattern = warped(&self.document, self.size.map(f64::from), vec![pattern]).pop()?;
+        Some(pattern.field(width, height))
     }
 
     /// The report of the growth, by layer and region. `seconds` is 0: time is not measured here.

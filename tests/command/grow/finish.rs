@@ -32,7 +32,7 @@ fn without_seconds(mut report: Value) -> Value {
 }
 
 /// Number of pieces of ink on a tile, and px of ink.
-fn counted(([width, height], mask): &([usize; 2], Vec<u8>)) -> [usize; 2] {
+pub(super) fn counted(([width, height], mask): &([usize; 2], Vec<u8>)) -> [usize; 2] {
     let (mut seen, mut pieces) = (vec![false; mask.len()], 0);
     for start in (0..mask.len()).filter(|px| mask[*px] > 0) {
         if std::mem::replace(&mut seen[start], true) {

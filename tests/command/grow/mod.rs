@@ -6,6 +6,7 @@ mod attributes;
 mod body;
 mod bytes;
 mod cells;
+mod coat_shapes;
 mod extremes;
 mod far_marks;
 mod finish;

@@ -59,7 +59,8 @@ fn a_document_that_could_not_be_read_back_is_not_written() {
 #[test]
 fn a_document_is_written_in_readable_form() {
     let mut document = accepted(&least());
-    document.layers[0].colours = Some(Colours { stops: vec![Stop::opaque(0.5, [1, 2, 255])], bends: vec![] });
+    document.layers[0].colours =
+        Some(Colours { stops: vec![Stop::opaque(0.5, [1, 2, 255])], ..Colours::new([]) });
     let expected = r##"{
   "format": "dapple",
   "version": 2,

@@ -2,7 +2,7 @@
 
 use super::*;
 use dapple::document::{Axis, Body, BodyEllipse, BodyMark, BodySource, ParametricSurface, Pin, Relief};
-use dapple::document::{Finish, FinishKind, Finishing, FlowChoice};
+use dapple::document::{Finish, FinishKind, Finishing, FlowChoice, Warp};
 
 fn number(low: f64, high: f64) -> impl Strategy<Value = f64> {
     prop_oneof![low..=high, (low.ceil() as i64..=high.floor() as i64).prop_map(|x| x as f64)]
@@ -60,7 +60,11 @@ fn colours() -> impl Strategy<Value = Colours> {
     let bend = (0.0..=1.0, -2.0..=3.0, 0.0..=1.0, -2.0..=3.0).prop_map(<[f64; 4]>::from);
     (stops, prop::collection::vec(bend, 0..5)).prop_map(|(stops, mut bends)| {
         bends.truncate(stops.len() - 1);
-        Colours { stops, bends }
+        // From numbers that are there already, so that the other random numbers stay.
+        let [red, green, blue] = stops[0].colour;
+        let ground = if red % 3 == 0 { [blue, red, green] } else { Colours::GROUND };
+        let halo = if green % 4 == 0 { 0.05 + f64::from(blue) / 300.0 } else { 1.0 };
+        Colours { stops, bends, ground, halo }
     })
 }
 
@@ -99,6 +103,8 @@ fn document() -> impl Strategy<Value = Document> {
             let starred = Vec::new();
             // Models and surfaces with a flat map take no finish.
             let finish = finish(seed).filter(|_| model.is_none() && parametric.is_none());
+            let warp =
+                (seed % 3 == 0 && model.is_none()).then_some(Warp { size: 40.0, by: (seed % 9) as f64 });
             Document {
                 name,
                 size,
@@ -109,6 +115,7 @@ fn document() -> impl Strategy<Value = Document> {
                 growth,
                 model,
                 parametric,
+                warp,
                 finish,
                 layers,
                 starred,
@@ -122,7 +129,7 @@ fn finish(seed: u64) -> Option<Finishing> {
     let (_, kind) = *FinishKind::NAMES.get((seed % (FinishKind::NAMES.len() as u64 + 1)) as usize)?;
     let size = 2.0 + (seed % 61) as f64;
     let flow = if kind.has_flow() { FlowChoice::Angle((seed % 359) as f64) } else { FlowChoice::Usual };
-    Some(Finishing { finish: Finish { kind, size }, flow })
+    Some(Finishing { finish: Finish { size, mottle: size / 300.0, ..Finish::new(kind) }, flow })
 }
 
 /// A surface that has a flat map; its height picture is not read.

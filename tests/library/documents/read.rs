@@ -17,6 +17,7 @@ fn the_shortest_document_has_the_defaults_of_the_format() {
         growth: Growth { refine: true },
         model: None,
         parametric: None,
+        warp: None,
         finish: None,
         layers: vec![layer],
         starred: Vec::new(),

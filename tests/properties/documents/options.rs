@@ -55,6 +55,7 @@ fn options_of(gaps: RangeInclusive<f64>) -> BoxedStrategy<LayerOptions> {
                 over: rest.1,
                 // From numbers that only other marks use, so that these remain as they were before there were shapes of stripes.
                 vary: if detail == 24.0 { 0.0 } else { 0.8 * (detail - 7.0) / 193.0 },
+                near: if detail == 24.0 { 24.0 } else { 2.0 + detail },
                 double: rest.2.as_ref().map_or(0.0, |of| of.solid),
                 rosette: rest.2,
             }
@@ -79,7 +80,11 @@ pub fn colours() -> impl Strategy<Value = Colours> {
     let bend = (0.0..=1.0, -2.0..=3.0, 0.0..=1.0, -2.0..=3.0).prop_map(<[f64; 4]>::from);
     (stops, prop::collection::vec(bend, 0..3)).prop_map(|(stops, mut bends)| {
         bends.truncate(stops.len() - 1);
-        Colours { stops, bends }
+        // From numbers that are there already, so that the other random numbers stay.
+        let [red, green, blue] = stops[0].colour;
+        let ground = if red % 3 == 0 { [blue, red, green] } else { Colours::GROUND };
+        let halo = if green % 4 == 0 { 0.05 + f64::from(blue) / 300.0 } else { 1.0 };
+        Colours { stops, bends, ground, halo }
     })
 }
 

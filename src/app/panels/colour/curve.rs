@@ -107,7 +107,7 @@ fn strips(ui: &Ui, colours: &Colours, gap: usize, room: Rect, range: [f64; 2]) {
     let [from, to] = [gap, gap + 1].map(|stop| colours.stops[stop]);
     let below = Rect::from_min_size(pos2(room.left(), room.bottom() + 3.0), vec2(room.width(), STRIP));
     gradient(painter, below, &colours.gradient(), [from.at, to.at]);
-    let mut even = Colours { stops: vec![from, to], bends: Vec::new() };
+    let mut even = Colours { stops: vec![from, to], ..Colours::new([]) };
     (even.stops[0].at, even.stops[1].at) = (0.0, 1.0);
     let even = even.gradient();
     let [top, bottom] = [1.0, 0.0].map(|y| place(room, [0.0, y], range).y);

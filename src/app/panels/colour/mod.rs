@@ -4,6 +4,7 @@ mod bar;
 mod copies;
 mod curve;
 mod grip;
+mod ground;
 mod hex_field;
 mod picker;
 mod presets;
@@ -15,6 +16,7 @@ use egui::{Color32, Key, RichText, TextureHandle, Ui, ecolor::HsvaGamma};
 
 use crate::app::action::Action;
 use crate::app::panels::finish::finish;
+use crate::app::panels::warp::warp;
 use crate::colour::ColourModel;
 use crate::document::Colours;
 use crate::editor::edit::Edit;
@@ -107,12 +109,14 @@ pub fn colour(ui: &mut Ui, session: &Session, panel: &mut ColourPanel) -> Vec<Ac
     if colours.stops.len() > 1 {
         curve::curve(ui, panel, &mut colours);
     }
+    ground::ground(ui, session, &mut colours);
     let mut actions = Vec::new();
     if colours != before {
         actions.push(paint(layer, colours.clone()));
     }
     actions.extend(copies::copies(ui, session, &colours));
     actions.extend(preset.map(|preset| paint(layer, preset)));
+    actions.extend(warp(ui, session.document()));
     actions.extend(finish(ui, session.document()));
     actions
 }

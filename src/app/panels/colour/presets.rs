@@ -34,7 +34,7 @@ pub fn presets(ui: &mut Ui, panel: &mut ColourPanel, colours: &Colours) -> Optio
 
 fn preset(ui: &mut Ui, panel: &mut ColourPanel, colours: &Colours, index: usize) -> Option<Colours> {
     let preset = &PRESETS[index];
-    let own = Colours::from(&preset.set.gradient());
+    let own = Colours { ground: colours.ground, halo: colours.halo, ..Colours::from(&preset.set.gradient()) };
     let is_chosen = *colours == own;
     let size = vec2(SIZE[0] as f32, SIZE[1] as f32);
     let (room, response) = ui.allocate_exact_size(size, Sense::click());

@@ -55,6 +55,7 @@ fn title(key: MapKey) -> &'static str {
         MapKey::Duty => "Width",
         MapKey::Colour => "Colour",
         MapKey::Growth => "Growth",
+        MapKey::Ground => "Ground",
     }
 }
 
@@ -73,6 +74,9 @@ fn help(key: MapKey) -> &'static str {
             "The place in the gradient: ground and marks get other colours, their edges do not move"
         }
         MapKey::Growth => "The growth of Turing's system: 18 grows dots, 20 worms, 25 holes",
+        MapKey::Ground => {
+            "The share of the second colour of the ground, such as that of a pale belly. The tab Colour has that colour"
+        }
     }
 }
 
@@ -146,6 +150,8 @@ fn numbers(ui: &mut Ui, map: &mut LayerMap, key: MapKey) {
                 fields::whole(ui, &format!("{title}, octaves"), octaves, [1, limits::MAP_OCTAVES])
             });
         }
+        // The picture is the share itself.
+        MapSource::Image { .. } if key == MapKey::Ground => {}
         MapSource::Image { factor, .. } => {
             let before = *factor;
             let help = "On: the picture changes the values of the drawn marks. Off: it replaces them";

@@ -4,6 +4,7 @@ use egui::{ComboBox, DragValue, Label, Ui};
 
 use super::{CONTROL, rosette, share, spread};
 use crate::app::fields::reset;
+use crate::app::units::number_field;
 use crate::document::{
     DutyChoice, GapChoice, Layer, LayerOptions, OptionKey, Over, RaggedChoice, Seeding, limits,
 };
@@ -50,6 +51,7 @@ fn label(choice: OptionKey) -> &'static str {
         OptionKey::Over => "Crossings",
         OptionKey::Decay => "Decay",
         OptionKey::Broken => "Broken",
+        OptionKey::Near => "Near",
     }
 }
 
@@ -103,6 +105,9 @@ fn explanation(choice: OptionKey) -> &'static str {
         OptionKey::Decay => {
             "How far worms break up into dots: 0 % grows a maze of worms, 80 % dots and worms, 85 % hardly any worms"
         }
+        OptionKey::Near => {
+            "The distance from the marks beneath at which these marks are about a third as frequent as beside them"
+        }
         OptionKey::Broken => {
             "The share of each ring that is left open, 0 to 60 %, in two to five gaps, as in the rosettes of a leopard"
         }
@@ -115,6 +120,11 @@ fn control(ui: &mut Ui, session: &Session, choice: OptionKey, options: &mut Laye
         OptionKey::Irregular => share(ui, name, &mut options.irregular, &limits::IRREGULAR),
         OptionKey::Duty => duty(ui, name, &mut options.duty),
         OptionKey::Broken => share(ui, name, &mut options.broken, &limits::BROKEN),
+        OptionKey::Near => {
+            let limits::Range { low, high, .. } = limits::NEAR;
+            let field = DragValue::new(&mut options.near).range(low..=high).speed(0.5).max_decimals(0);
+            ui.add(number_field(field, " px")).accessible_name(name)
+        }
         OptionKey::Keep => {
             let mut keep = session.document().keeps_marks(session.active_layer);
             let field = ui.checkbox(&mut keep, "as drawn").accessible_name(name);

@@ -19,7 +19,7 @@ pub(in crate::document) fn any_colours() -> impl Strategy<Value = Colours> {
             .into_iter()
             .map(|(at, colour, alpha)| Stop { at: f64::from(at) / 1000.0, colour, alpha })
             .collect();
-        let mut colours = Colours { stops, bends };
+        let mut colours = Colours { stops, bends, ..Colours::new([]) };
         colours.tidy();
         colours
     })
@@ -79,7 +79,7 @@ fn a_stop_moves_past_others_and_back() {
 
 #[test]
 fn the_last_stop_stays() {
-    let mut colours = Colours { stops: vec![Stop::opaque(0.3, [1, 2, 3])], bends: vec![] };
+    let mut colours = Colours { stops: vec![Stop::opaque(0.3, [1, 2, 3])], ..Colours::new([]) };
     assert!(!colours.remove(0));
     assert_eq!(colours.insert(0.9), 1);
     assert_eq!(colours.stops[1].colour, [1, 2, 3]);
@@ -100,7 +100,7 @@ fn colours_are_swapped_in_their_places() {
 #[test]
 fn a_stop_inserted_between_stops_of_different_opacity_changes_nothing() {
     let stops = vec![Stop { at: 0.0, colour: [250, 0, 0], alpha: 0 }, Stop::opaque(1.0, [20, 80, 160])];
-    let before = Colours { stops, bends: vec![] };
+    let before = Colours { stops, ..Colours::new([]) };
     let mut colours = before.clone();
     colours.insert(0.5);
     assert_eq!(colours.stops[1], Stop { at: 0.5, colour: [20, 80, 160], alpha: 128 });

@@ -38,6 +38,8 @@ fn grown(key: Key, condition: Condition, reason: &'static str) -> Rule {
 
 const AROUND: &[After] = &[After::Around, After::Net];
 const INSIDE: &[After] = &[After::Inside];
+/// All that need a layer beneath.
+const ABOVE: &[After] = &[After::Near, After::Around, After::Net, After::Inside];
 const PLACED: &[After] = &[After::Around, After::Net, After::Inside];
 
 /// Reason for options that are not in the list of a system.
@@ -57,7 +59,7 @@ const DRIVEN_EDGES: &str = "The edges of marks that a picture drives carry its d
 fn about_after() -> Vec<Rule> {
     vec![
         grown(
-            Key::After(PLACED),
+            Key::After(ABOVE),
             Lowest,
             "The lowest layer has no other beneath it whose marks it could meet",
         ),
@@ -219,8 +221,13 @@ fn about_drawn_marks() -> Vec<Rule> {
     vec![
         read(
             Key::Option(OptionKey::Broken),
-            Condition::After(&[After::Between, After::Net, After::Inside]),
+            Condition::After(&[After::Between, After::Near, After::Net, After::Inside]),
             "Only rings can be broken",
+        ),
+        read(
+            Key::Option(OptionKey::Near),
+            Condition::After(&[After::Between, After::Around, After::Net, After::Inside]),
+            "Only marks near those beneath become rarer with the distance from them",
         ),
         read(Key::Option(OptionKey::Keep), Driven, "The picture determines the places and sizes of marks"),
         read(

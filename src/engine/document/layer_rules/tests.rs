@@ -47,6 +47,7 @@ fn every_rule_can_be_broken() {
             duty: DutyChoice::Given(0.3),
             seeding: Seeding::Segments,
             broken: 0.3,
+            near: 40.0,
             keep: Some(true),
             vary: 0.3,
             double: 0.2,
@@ -136,14 +137,16 @@ fn any_options() -> impl Strategy<Value = LayerOptions> {
     let decay = prop_oneof![Just(0.8), 0.0..0.85f64];
     let over = prop::sample::select(vec![Over::Level, Over::Twill21]);
     let rosette = prop::option::of((0.0..1.0f64).prop_map(|solid| Rosettes { solid, ..Rosettes::default() }));
-    let shapes = (share(), share(), rosette, decay, over);
+    let near = prop_oneof![Just(24.0), 2.0..200.0f64];
+    let shapes = (share(), share(), rosette, decay, over, near);
     (spread, duty, share(), share(), keep, seeding, ragged, detail, gap, shapes).prop_map(
         |(spread, duty, broken, irregular, keep, seeding, ragged, detail, gap, shapes)| {
-            let (vary, double, rosette, decay, over) = shapes;
+            let (vary, double, rosette, decay, over, near) = shapes;
             LayerOptions {
                 spread,
                 duty,
                 broken,
+                near,
                 irregular,
                 keep,
                 seeding,

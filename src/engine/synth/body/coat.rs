@@ -1,7 +1,9 @@
-//! The colours of all layers on a model: linear light for one pattern value a layer, and one number for each map of colours.
+//! The colours of all layers on a model: linear light for one pattern value a layer, and one number for each map that changes colours only.
 
-use crate::colour::{Gradient, linear_light};
-use crate::document::{Colours, Document, Layer};
+use std::sync::LazyLock;
+
+use crate::colour::{Gradient, Ground, linear_light};
+use crate::document::{Colours, Document, Layer, MapKey};
 use crate::synth::body::maps::multiplies;
 use crate::synth::drawn::is_replaced;
 use crate::synth::drawn::maps::place_by;
@@ -14,7 +16,9 @@ pub struct Coat {
 
 /// How a layer is painted.
 struct Painted {
-    /// The light of pattern values at even distances.
+    /// The colours of pattern values at even distances: sRGB.
+    colours: Vec<[u8; 3]>,
+    /// Their light.
     light: Vec<[f32; 3]>,
     /// Whether it is painted.
     is_visible: bool,
@@ -22,6 +26,8 @@ struct Painted {
     covers: bool,
     /// Which value is the number of its map of colours, and whether that multiplies; `None` without one.
     map: Option<(usize, bool)>,
+    /// Which value is the share of the second colour of the ground, and that colour; `None` without a map of it.
+    ground: Option<(usize, Ground)>,
 }
 
 /// Steps of the table between ground and the middle of a mark.
@@ -32,21 +38,36 @@ impl Coat {
     #[must_use]
     pub fn new(document: &Document) -> Self {
         let mut mapped = document.layers.len();
+        let mut next = || {
+            mapped += 1;
+            mapped - 1
+        };
         let of_layer = |(index, layer): (usize, &Layer)| {
-            let map = multiplies(document, index).map(|multiplies| {
-                mapped += 1;
-                (mapped - 1, multiplies)
+            let map = multiplies(document, index).map(|multiplies| (next(), multiplies));
+            let own = layer.colours.as_ref().map(Colours::painted);
+            let gradient = own.unwrap_or_else(|| Gradient::default_for_layer(index));
+            let ground = layer.maps.get(MapKey::Ground).map(|_| {
+                let second = layer.colours.as_ref().map_or(Colours::GROUND, |colours| colours.ground);
+                (next(), Ground::new(&gradient, second))
             });
-            let own = layer.colours.as_ref().map(Colours::gradient);
             let is_replaced = is_replaced(document, index);
+            let colours = table(&gradient);
             Painted {
-                light: table(&own.unwrap_or_else(|| Gradient::default_for_layer(index))),
+                light: colours.iter().map(|colour| colour.map(light_of)).collect(),
+                colours,
                 is_visible: layer.visible && !is_replaced,
                 covers: !is_replaced,
                 map,
+                ground,
             }
         };
         Self { layers: document.layers.iter().enumerate().map(of_layer).collect() }
+    }
+
+    /// Whether the ground of a layer has a second colour.
+    #[must_use]
+    pub fn has_second_ground(&self) -> bool {
+        self.layers.iter().any(|layer| layer.ground.is_some())
     }
 
     /// How many layers it has.
@@ -55,18 +76,17 @@ impl Coat {
         self.layers.len()
     }
 
-    /// The values of bare ground where no map varies colours.
+    /// The values of bare ground where no map varies colours, and its second colour has the share `second`.
     #[must_use]
-    pub fn unvaried(&self) -> Vec<f32> {
-        let numbers = self
-            .layers
-            .iter()
-            .filter_map(|layer| layer.map)
-            .map(|(_, multiplies)| f32::from(u8::from(multiplies)));
+    pub fn unvaried(&self, second: f32) -> Vec<f32> {
+        let numbers = self.layers.iter().flat_map(|layer| {
+            let colour = layer.map.map(|(_, multiplies)| f32::from(u8::from(multiplies)));
+            colour.into_iter().chain(layer.ground.as_ref().map(|_| second))
+        });
         std::iter::repeat_n(0.0, self.layers.len()).chain(numbers).collect()
     }
 
-    /// The light of each vertex, from the patterns of all layers by vertex, and then the numbers of maps of colours.
+    /// The light of each vertex, from the patterns of all layers by vertex, and then the numbers of maps that change colours only.
     #[must_use]
     pub fn lights(&self, patterns: &[Vec<f32>]) -> Vec<[f32; 3]> {
         let vertices = patterns.first().map_or(0, Vec::len);
@@ -100,15 +120,25 @@ impl Painted {
             }
             None => value,
         };
-        self.light[(value.clamp(0.0, 1.0) * STEPS as f32 + 0.5) as usize]
+        let step = (value.clamp(0.0, 1.0) * STEPS as f32 + 0.5) as usize;
+        match &self.ground {
+            Some((number, ground)) => {
+                let share = values.get(*number).copied().unwrap_or(0.0);
+                ground.tinted(self.colours[step], value, share).map(light_of)
+            }
+            None => self.light[step],
+        }
     }
 }
 
-fn table(gradient: &Gradient) -> Vec<[f32; 3]> {
-    let codes = linear_light();
-    let values = (0..=STEPS).map(|step| step as f32 / STEPS as f32);
-    let colours = gradient.colours(values);
-    colours.into_iter().map(|colour| colour.map(|code| codes[usize::from(code)])).collect()
+fn table(gradient: &Gradient) -> Vec<[u8; 3]> {
+    gradient.colours((0..=STEPS).map(|step| step as f32 / STEPS as f32))
+}
+
+/// The linear light of a channel of sRGB.
+fn light_of(code: u8) -> f32 {
+    static CODES: LazyLock<[f32; 256]> = LazyLock::new(linear_light);
+    CODES[usize::from(code)]
 }
 
 #[cfg(test)]

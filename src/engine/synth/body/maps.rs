@@ -128,16 +128,16 @@ impl<'a> BodyMaps<'a> {
     }
 }
 
-/// By how much the colours of a layer vary at each vertex of a surface; `None` of one without a map of colours.
+/// The numbers of a layer's map of `key`, which changes colours only, at each vertex of a surface; `None` without such a map.
 #[must_use]
 pub fn colours(
     document: &Document,
-    index: usize,
+    (index, key): (usize, MapKey),
     surface: &Surface,
     coordinates: Option<&TextureCoordinates>,
 ) -> Option<Vec<f32>> {
-    let map = document.layers[index].maps.get(MapKey::Colour)?;
-    let shares = Shares::new(document, index, MapKey::Colour, map);
+    let map = document.layers[index].maps.get(key)?;
+    let shares = Shares::new(document, index, key, map);
     let at = |vertex: usize| shares.at(surface, vertex, coordinates) as f32;
     Some((0..surface.mesh.positions.len()).into_par_iter().map(at).collect())
 }

@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use crate::document::Axis;
+use crate::document::{Axis, MapKey};
 use crate::export::Stopped;
 use crate::export::body::{Coloured, Fine, glb, normals, ply};
 use crate::surface::Mesh;
@@ -108,13 +108,14 @@ impl GrownBody {
         self.layers.iter().map(of_layer).collect()
     }
 
-    /// The patterns of all layers on the mesh of the finest, and then the numbers of each map of colours, by vertex: what colours need.
+    /// The patterns of all layers on the mesh of the finest, and then the numbers of each map that changes colours only, by vertex: what colours need.
     #[must_use]
     pub fn painted(&self) -> Vec<Vec<f32>> {
         let surface = self.finest().plan.surface();
         let coordinates = self.placed.coordinates.as_ref();
         let layers = 0..self.document.layers.len();
-        let maps = layers.filter_map(|layer| colours(&self.document, layer, surface, coordinates));
+        let keys = layers.flat_map(|layer| [MapKey::Colour, MapKey::Ground].map(|key| (layer, key)));
+        let maps = keys.filter_map(|of| colours(&self.document, of, surface, coordinates));
         self.patterns().into_iter().chain(maps).collect()
     }
 

@@ -78,15 +78,21 @@ fn refused(layer: &Layer, index: usize) -> Option<Problem> {
         return at(key, found, allowed);
     }
     for (key, _) in layer.maps.iter() {
-        if maps::modulated(key).is_none() && key != MapKey::Colour {
+        if maps::modulated(key).is_none() && !key.is_painted() {
             let name = key.name();
-            let allowed =
-                "maps of area, spacing, direction, aspect, duty or colour: Turing's growth is of canvases";
+            let allowed = "maps of area, spacing, direction, aspect, duty, colour or ground: Turing's growth is of canvases";
             return at(&format!("maps.{name}"), &format!("this map of {name} on a model"), allowed);
         }
     }
     if index == 0 && layer.after != After::Between {
         return at("after", &format!("{:?}", layer.after.name()), "between: it is the lowest layer");
+    }
+    if layer.after == After::Near {
+        return at(
+            "after",
+            "\"near\" on a model",
+            "between: marks do not become rarer with a distance on a model yet",
+        );
     }
     let key = refused_key(layer)?;
     let name = key.trim_start_matches("options.");
@@ -138,8 +144,12 @@ fn points_refused(points: &Points, layer: &Layer) -> Option<Refused> {
         let allowed = "random or an angle: a model has no middle";
         return Some(("points.towards", "\"outward\" on a model", allowed));
     }
-    let only = layer.maps.iter().all(|(key, _)| matches!(key, MapKey::Spacing | MapKey::Colour));
-    (!only).then_some(("maps", "maps of a field of points on a model", "maps of its spacing or colour"))
+    let only = layer.maps.iter().all(|(key, _)| key == MapKey::Spacing || key.is_painted());
+    (!only).then_some((
+        "maps",
+        "maps of a field of points on a model",
+        "maps of its spacing, colour or ground",
+    ))
 }
 
 /// What of the document means nothing on a model, and is not refused.

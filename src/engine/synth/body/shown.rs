@@ -87,9 +87,12 @@ fn palette(coat: &Coat, background: [f32; 3]) -> Vec<[u8; 3]> {
     let layers = coat.layers();
     let code = |light: f32| (255.0 * srgb_from_linear(f64::from(light.clamp(0.0, 1.0)))).round() as u8;
     let mut colours = Vec::new();
-    let shades = (SHADES[0] / layers.max(1)).max(2);
-    for shade in 0..layers * shades {
-        let mut values = coat.unvaried();
+    let grounds = if coat.has_second_ground() { &[0.0, 0.5, 1.0][..] } else { &[0.0] };
+    let shades = (SHADES[0] / layers.max(1) / grounds.len()).max(2);
+    for (shade, second) in
+        (0..layers * shades).flat_map(|shade| grounds.iter().map(move |second| (shade, *second)))
+    {
+        let mut values = coat.unvaried(second);
         values[shade / shades] = (shade % shades) as f32 / (shades - 1) as f32;
         let colour = coat.light(&values);
         for step in 0..SHADES[1] {

@@ -55,7 +55,7 @@ pub fn change(map: &LayerMap, key: MapKey) -> Change {
     }
 }
 
-/// What a map of `key` varies of marks; `None` of colours and growth.
+/// What a map of `key` varies of marks; `None` of colours, growth and ground.
 #[must_use]
 pub fn modulated(key: MapKey) -> Option<Modulated> {
     match key {
@@ -64,15 +64,41 @@ pub fn modulated(key: MapKey) -> Option<Modulated> {
         MapKey::Direction => Some(Modulated::Direction),
         MapKey::Aspect => Some(Modulated::Aspect),
         MapKey::Duty => Some(Modulated::Duty),
-        MapKey::Colour | MapKey::Growth => None,
+        MapKey::Colour | MapKey::Growth | MapKey::Ground => None,
+    }
+}
+
+/// A map that changes colours only, over its canvas.
+#[derive(Clone, Debug)]
+pub struct PaintedMap {
+    nodes: RegionGrid,
+    values: Vec<f64>,
+}
+
+impl PaintedMap {
+    /// The map of `key` of layer `index` on a canvas of `size` px, if it has one.
+    #[must_use]
+    pub fn of(document: &Document, index: usize, key: MapKey, size: [f64; 2]) -> Option<Self> {
+        let map = document.layers.get(index)?.maps.get(key)?;
+        let [picture, noise] = PAINTED;
+        let most = if matches!(map.source, MapSource::Image { .. }) { picture } else { noise };
+        let nodes = nodes(document.edges, size, most);
+        let seed = document.layer_seed(index).wrapping_add(seed(key));
+        Some(Self { nodes, values: values(map, &nodes, seed) })
+    }
+
+    /// Its value at `point`, px of the canvas.
+    #[must_use]
+    pub fn at(&self, point: [f64; 2]) -> f32 {
+        let corners = self.nodes.corners(point);
+        corners.iter().map(|&(node, weight)| weight * self.values[node]).sum::<f64>() as f32
     }
 }
 
 /// The variation of the places in the gradient of a layer over its canvas.
 #[derive(Clone, Debug)]
 pub struct ColourMap {
-    nodes: RegionGrid,
-    values: Vec<f64>,
+    map: PaintedMap,
     multiplies: bool,
 }
 
@@ -80,13 +106,9 @@ impl ColourMap {
     /// The colour map of layer `index` on a canvas of `size` px, if it has one.
     #[must_use]
     pub fn of(document: &Document, index: usize, size: [f64; 2]) -> Option<Self> {
-        let map = document.layers.get(index)?.maps.get(MapKey::Colour)?;
-        let [picture, noise] = PAINTED;
-        let most = if matches!(map.source, MapSource::Image { .. }) { picture } else { noise };
-        let nodes = nodes(document.edges, size, most);
-        let seed = document.layer_seed(index).wrapping_add(seed(MapKey::Colour));
-        let multiplies = map.change(MapKey::Colour) == MapChange::Multiply;
-        Some(Self { nodes, values: values(map, &nodes, seed), multiplies })
+        let map = PaintedMap::of(document, index, MapKey::Colour, size)?;
+        let change = document.layers[index].maps.get(MapKey::Colour)?.change(MapKey::Colour);
+        Some(Self { map, multiplies: change == MapChange::Multiply })
     }
 
     /// The pattern `value` at `point` (px of the canvas) as a place in the gradient, 0..1.
@@ -95,9 +117,7 @@ impl ColourMap {
     /// edge. The edge, 0.5, stays where it is: marks keep the area that was asked for.
     #[must_use]
     pub fn place(&self, value: f32, point: [f64; 2]) -> f32 {
-        let corners = self.nodes.corners(point);
-        let by: f64 = corners.iter().map(|&(node, weight)| weight * self.values[node]).sum();
-        place_by(value, by as f32, self.multiplies)
+        place_by(value, self.map.at(point), self.multiplies)
     }
 }
 

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crate::attributes::AttributeMap;
 use crate::attributes::metric_field::{Metric, MetricField};
 use crate::attributes::regions::RegionGrid;
-use crate::document::{After, Document, DocumentError, ParametricSurface, Problem, Relief};
+use crate::document::{Document, DocumentError, ParametricSurface, Problem, Relief};
 use crate::grid::Edges;
 use crate::synth::drawn::maps::nodes;
 
@@ -88,7 +88,7 @@ pub fn check(document: &Document, index: usize, grows_marks: bool) -> Result<(),
         refused("tone", "a tone", MARKS)
     } else if !grows_marks {
         refused("system", &format!("{:?}", layer.system.name()), MARKS)
-    } else if index > 0 && layer.after != After::Between {
+    } else if index > 0 && !layer.after.keeps_away() {
         let allowed = "between: what follows the marks beneath is not corrected by the metric yet";
         refused("after", &format!("{:?}", layer.after.name()), allowed)
     } else {

@@ -92,7 +92,7 @@ impl Kind for Marks {
     }
 
     fn preview(plan: &MarksPlan, beneath: &Beneath, seed: u64) -> Option<Box<dyn Previewed>> {
-        if !beneath.layers.is_empty() && plan.after != After::Between {
+        if !beneath.layers.is_empty() && !plan.after.keeps_away() {
             // The full layout is needed first.
             return None;
         }

@@ -11,6 +11,7 @@ use crate::synth::growth::Grown;
 use crate::synth::layer::GrownLayer;
 use crate::synth::pattern::LayerPattern;
 use crate::synth::render::painting::gradient_of;
+use crate::synth::warped::warped;
 use crate::synth::watch::{Stage, Watch};
 
 /// The pattern value at which a layer's colour is read: well inside a mark, but not at its centre.
@@ -54,7 +55,8 @@ pub fn outlines(
     wanted: &Outlining,
     watch: &Watch,
 ) -> Result<(Vec<Group>, Travel), Stopped> {
-    let patterns: Vec<LayerPattern> = grown.layers.iter().map(GrownLayer::pattern).collect();
+    let patterns = grown.layers.iter().map(GrownLayer::pattern).collect();
+    let patterns: Vec<LayerPattern> = warped(document, grown.size.map(f64::from), patterns);
     let shown = |index: usize| match wanted.only {
         Some(only) => index == only,
         None => document.layers[index].visible && !is_replaced(document, index),

@@ -18,15 +18,15 @@ use std::path::Path;
 
 use rayon::prelude::*;
 
-use crate::colour::{Gradient, Painted, Table, paint_rows, painter};
-use crate::document::{Colours, Document, Layer};
+use crate::colour::{Gradient, Ground, Painted, Table, paint_rows, painter};
+use crate::document::{Colours, Document, Layer, MapKey};
 use crate::export::picture::{self, Encoding, QUALITY};
 use crate::export::png::{Header, Samples};
 use crate::export::web::Aside;
 use crate::export::{Content, ExportError, Format, Stopped, exr};
 use crate::grid::{Edges, Field, to_u16};
 use crate::synth::drawn::is_replaced;
-use crate::synth::drawn::maps::ColourMap;
+use crate::synth::drawn::maps::{ColourMap, PaintedMap};
 use crate::synth::growth::{Grown, Snapshot};
 use crate::synth::layer::GrownLayer;
 use crate::synth::marks::grow::pattern::Pattern;
@@ -35,6 +35,7 @@ use crate::synth::pattern::EDGE;
 use crate::synth::pattern::LayerPattern;
 use crate::synth::profile::{Section, during};
 use crate::synth::render::painting::finished::{Applied, encode};
+use crate::synth::warped::warped;
 use crate::synth::watch::{Stage, Watch};
 
 /// Patterns and colours of all layers, for pictures of one size.
@@ -46,6 +47,8 @@ pub struct Painting<'a> {
     gradients: Vec<Gradient>,
     /// Variation of the places in the gradients.
     colour_maps: Vec<Option<ColourMap>>,
+    /// The second colour of the ground of each layer, and its share at each place.
+    grounds: Vec<Option<(Ground, PaintedMap)>>,
     /// Width and height of the canvas, px.
     canvas: [f64; 2],
     visible: Vec<bool>,
@@ -94,9 +97,11 @@ impl<'a> Painting<'a> {
     fn with(document: &Document, canvas: [f64; 2], size: [usize; 2], layers: Vec<LayerPattern<'a>>) -> Self {
         let gradients = document.layers.iter().enumerate().map(|(index, layer)| gradient_of(layer, index));
         let gradients: Vec<Gradient> = gradients.collect();
+        let layers = warped(document, canvas, layers);
         Self {
             size,
             tables: gradients.iter().map(Gradient::table).collect(),
+            grounds: (0..layers.len()).map(|index| ground_of(document, index, canvas)).collect(),
             gradients,
             colour_maps: (0..layers.len()).map(|index| ColourMap::of(document, index, canvas)).collect(),
             canvas,
@@ -141,24 +146,38 @@ impl<'a> Painting<'a> {
                 *left &= *value < EDGE;
             }
         }
+        let grounds = self.grounds.iter().zip(&patterns);
+        let grounds = grounds.map(|(ground, pattern)| {
+            let map = &ground.as_ref()?.1;
+            Some(self.each_px(pattern, rows.start, height, |_, point| map.at(point)))
+        });
+        let grounds = grounds.collect();
         let places = self.colour_maps.iter().zip(&patterns);
-        let places =
-            places.map(|(map, pattern)| Some(self.places(map.as_ref()?, pattern, rows.start, height)));
-        Band { painting: self, width, places: places.collect(), patterns, free }
+        let places = places.map(|(map, pattern)| {
+            let map = map.as_ref()?;
+            Some(self.each_px(pattern, rows.start, height, |value, point| map.place(value, point)))
+        });
+        Band { painting: self, width, places: places.collect(), grounds, patterns, free }
     }
 
-    /// The place of each px of a `pattern` in its gradient; the pattern begins at row `first`.
-    /// The picture has `height` rows.
-    fn places(&self, map: &ColourMap, pattern: &Field, first: usize, height: usize) -> Field {
+    /// A number for each px of a `pattern`, from its value and its point, px of the canvas; the pattern begins at row `first` of a picture of
+    /// `height` rows.
+    fn each_px(
+        &self,
+        pattern: &Field,
+        first: usize,
+        height: usize,
+        number: impl Fn(f32, [f64; 2]) -> f32 + Sync,
+    ) -> Field {
         let [wide, high] = [self.canvas[0] / pattern.width as f64, self.canvas[1] / height as f64];
-        let mut places = pattern.clone();
-        places.values.par_chunks_mut(places.width.max(1)).enumerate().for_each(|(y, row)| {
+        let mut numbers = pattern.clone();
+        numbers.values.par_chunks_mut(numbers.width.max(1)).enumerate().for_each(|(y, row)| {
             for (x, value) in row.iter_mut().enumerate() {
                 let point = [(x as f64 + 0.5) * wide, ((first + y) as f64 + 0.5) * high];
-                *value = map.place(*value, point);
+                *value = number(*value, point);
             }
         });
-        places
+        numbers
     }
 
     /// Whether no visible colour is transparent. A finish is opaque: transparent colours are painted over white.
@@ -355,8 +374,20 @@ impl Channel {
 
 /// The colours of the layer with this index: its own, or the default set.
 pub(super) fn gradient_of(layer: &Layer, index: usize) -> Gradient {
-    let own = layer.colours.as_ref().map(Colours::gradient);
+    let own = layer.colours.as_ref().map(Colours::painted);
     own.unwrap_or_else(|| Gradient::default_for_layer(index))
+}
+
+/// The second colour of the ground of the layer with this index, if it has one and a map of it.
+fn ground_of(document: &Document, index: usize, canvas: [f64; 2]) -> Option<(Ground, PaintedMap)> {
+    let map = PaintedMap::of(document, index, MapKey::Ground, canvas)?;
+    let layer = &document.layers[index];
+    Some((Ground::new(&gradient_of(layer, index), second_ground(layer)), map))
+}
+
+/// The second colour of the ground of a layer.
+pub(in crate::synth) fn second_ground(layer: &Layer) -> [u8; 3] {
+    layer.colours.as_ref().map_or(Colours::GROUND, |colours| colours.ground)
 }
 
 /// Some rows of the pictures.
@@ -367,6 +398,8 @@ pub struct Band<'a> {
     patterns: Vec<Field>,
     /// The place of each px in the gradient of the layer, if it differs from the pattern.
     places: Vec<Option<Field>>,
+    /// The share of the second colour of the ground of the layer in each px, if it has one.
+    grounds: Vec<Option<Field>>,
     /// For each layer, the cells where it was free to grow: outside the marks of the layers beneath.
     free: Vec<Vec<bool>>,
 }
@@ -377,12 +410,15 @@ impl Band<'_> {
         let Painting { tables, visible, .. } = self.painting;
         let shown = self.patterns.iter().zip(&self.places);
         let shown = shown.map(|(pattern, places)| places.as_ref().unwrap_or(pattern));
-        let layers = shown.zip(&self.free).zip(tables).zip(visible);
+        let grounds = self.painting.grounds.iter().zip(&self.grounds);
+        let grounds = grounds.map(|(ground, shares)| Some((&ground.as_ref()?.0, shares.as_ref()?)));
+        let layers = shown.zip(&self.free).zip(tables).zip(visible).zip(grounds);
         layers
-            .map(|(((pattern, free), table), visible)| Painted {
+            .map(|((((pattern, free), table), visible), ground)| Painted {
                 pattern,
                 free: Some(free),
                 table,
+                ground,
                 visible: *visible,
             })
             .collect()

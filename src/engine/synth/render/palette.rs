@@ -1,19 +1,20 @@
 //! The colours of films, for formats with few.
 
-use crate::document::{Document, FlowChoice};
+use crate::colour::{Ground, Table};
+use crate::document::{Document, FlowChoice, Layer, MapKey};
 use crate::export::motion::median_cut;
 use crate::finish::{Finish, Flow, Source};
 use crate::grid::Edges;
 use crate::synth::render::film::mixed;
-use crate::synth::render::painting::gradient_of;
+use crate::synth::render::painting::{gradient_of, second_ground};
 
 /// Colours between those of two documents.
 const STATIONS: usize = 8;
 /// Side of the square of one colour that gets a finish, px, and the number of these in a row.
 const SQUARE: [usize; 2] = [10, 16];
 
-/// Up to `most` colours for films of these documents: evenly spaced in the colours of their visible layers, and between those of
-/// the first and the last document. With a finish those that it makes of these.
+/// Up to `most` colours for films of these documents: evenly spaced in the colours of their visible layers, with the first and with the
+/// second colour of the ground, and between those of the first and the last document. With a finish those that it makes of these.
 #[must_use]
 pub fn palette(documents: &[&Document], most: usize) -> Vec<[u8; 3]> {
     let plain = plain(documents, most);
@@ -27,25 +28,52 @@ pub fn palette(documents: &[&Document], most: usize) -> Vec<[u8; 3]> {
 fn plain(documents: &[&Document], most: usize) -> Vec<[u8; 3]> {
     let tables = |document: &Document| {
         let layers = document.layers.iter().enumerate().filter(|(_, layer)| layer.visible);
-        layers.map(|(index, layer)| gradient_of(layer, index).table()).collect::<Vec<_>>()
+        layers.flat_map(|(index, layer)| shades_of(layer, index)).collect::<Vec<_>>()
     };
     let (Some(first), Some(last)) = (documents.first(), documents.last()) else { return Vec::new() };
     let (first, last) = (tables(first), tables(last));
     let stations = if documents.len() > 1 { STATIONS } else { 1 };
     let layers = first.len().max(1);
-    let shades = (most / (layers * stations)).max(2);
+    let count = (most / (layers * stations)).max(2);
     let mut colours = Vec::with_capacity(most);
     for (a, b) in first.iter().zip(&last) {
         for station in 0..stations {
             let share = station as f64 / (stations.max(2) - 1) as f64;
-            let shade = |k: usize| k as f32 / (shades - 1) as f32;
-            colours.extend((0..shades).map(|k| mixed(a.colour(shade(k)), b.colour(shade(k)), share)));
+            let value = |k: usize| k as f32 / (count - 1) as f32;
+            colours.extend((0..count).map(|k| mixed(a.colour(value(k)), b.colour(value(k)), share)));
         }
     }
     colours.sort_unstable();
     colours.dedup();
     colours.truncate(most);
     colours
+}
+
+/// The colours of a layer by pattern value.
+struct Shades {
+    table: Table,
+    /// The second colour of the ground, and its share.
+    ground: Option<(Ground, f32)>,
+}
+
+impl Shades {
+    fn colour(&self, value: f32) -> [u8; 3] {
+        let colour = self.table.colour(value);
+        self.ground.as_ref().map_or(colour, |(ground, share)| ground.tinted(colour, value, *share))
+    }
+}
+
+/// The colours of the layer with this index: with the second colour of the ground in these shares, if it has one.
+fn shades_of(layer: &Layer, index: usize) -> Vec<Shades> {
+    let gradient = gradient_of(layer, index);
+    let plain = Shades { table: gradient.table(), ground: None };
+    if layer.maps.get(MapKey::Ground).is_none() {
+        return vec![plain];
+    }
+    let ground = Ground::new(&gradient, second_ground(layer));
+    let tinted = [0.25, 0.5, 0.75, 1.0]
+        .map(|share| Shades { table: gradient.table(), ground: Some((ground.clone(), share)) });
+    [plain].into_iter().chain(tinted).collect()
 }
 
 /// A picture of squares of these colours with this finish: red, green, blue a px.
@@ -73,7 +101,6 @@ fn finished_px(colours: &[[u8; 3]], finish: Finish, seed: u64) -> Vec<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::Layer;
     use crate::finish::Kind;
 
     #[test]

@@ -18,7 +18,7 @@ pub fn curve_kind(after: After) -> Option<CurveKind> {
     match after {
         After::Around => Some(CurveKind::Rings),
         After::Net => Some(CurveKind::Web),
-        After::Between | After::Inside => None,
+        After::Between | After::Near | After::Inside => None,
     }
 }
 

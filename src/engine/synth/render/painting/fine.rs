@@ -41,7 +41,12 @@ impl Colours {
         let mut seen: Option<[f32; 4]> = None;
         let mut beneath = painted;
         while let Some(layer) = painter(beneath, px) {
-            let own = self.layers[layer].colour(painted[layer].pattern.values[px]);
+            let value = painted[layer].pattern.values[px];
+            let own = self.layers[layer].colour(value);
+            let own = match painted[layer].ground {
+                Some((ground, shares)) => ground.tinted_finely(own, value, shares.values[px]),
+                None => own,
+            };
             let colour = seen.map_or(own, |top| over(top, own));
             if !self.layers[layer].is_see_through {
                 return colour;
