@@ -191,6 +191,8 @@ proptest! {
         prop_assert_eq!(&layer, &once);
         // Tidying does not know the layer beneath, so it does not change a system that only the lowest layer may have.
         let lowest = layer.system.is_known(|system| system.lowest_alone.is_some());
+        // Nor does it change `after`: nothing is beneath such a layer that it could be near.
+        prop_assume!(!lowest || after != After::Near);
         let below = if lowest { Beneath::Nothing } else { Beneath::Grows(Ellipse) };
         let combination = Combination::new(&layer, Some(kind), below);
         prop_assert!(combination.broken_rule().is_none(), "{:?}", combination.broken_rule());
