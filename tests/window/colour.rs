@@ -98,12 +98,12 @@ fn colours_are_copied_between_layers() {
     hand.reach("Colours: tiger");
     let tiger = hand.colours(1);
     assert_ne!(hand.colours(0), tiger);
-    hand.press("Copy to");
+    hand.reach("Copy to");
     hand.press("layer 1");
     assert_eq!(hand.colours(0), tiger);
     hand.key(Modifiers::COMMAND, Key::Z);
     assert_ne!(hand.colours(0), tiger);
-    hand.press("Copy from");
+    hand.reach("Copy from");
     hand.press("layer 1");
     assert_eq!(hand.colours(1), Colours::default_for_layer(0));
 }

@@ -5,6 +5,7 @@ mod access;
 mod aiming;
 mod alternatives;
 mod clipboard;
+mod coats;
 mod colour;
 mod columns;
 mod combing;

@@ -6,7 +6,7 @@ use crate::app::theme::Palette;
 use crate::document::After;
 
 /// Size of a button, points.
-pub const SIZE: Vec2 = vec2(44.0, 38.0);
+pub const SIZE: Vec2 = vec2(43.0, 38.0);
 
 /// The centres of the marks beneath in a picture of 40 × 28.
 const BENEATH: [[f32; 2]; 3] = [[9.5, 8.5], [30.0, 8.0], [19.5, 20.5]];
