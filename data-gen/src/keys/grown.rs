@@ -23,6 +23,8 @@ pub struct Grown {
     pub labels: Vec<u8>,
 }
 
+/// The model that documents of the table name, beside those that are built in: two boxes, its groups `left` and `right`.
+const BOXES: (&str, &[u8]) = ("boxes.obj", include_bytes!("boxes.obj"));
 /// From where models are seen: azimuth and elevation, degrees.
 const VIEW: [f64; 2] = [-20.0, 12.0];
 /// Width and height of the pictures of models, px.
@@ -53,12 +55,18 @@ impl Grown {
     }
 
     fn on_model(document: &Document) -> Result<Self, String> {
-        let growth =
-            BodyGrowth::begin(document, None, &Options::default()).map_err(|error| error.to_string())?;
+        let growth = BodyGrowth::begin(document, model_file(document), &Options::default())
+            .map_err(|error| error.to_string())?;
         let grown = growth.run().map_err(|error| error.to_string())?;
         let [azimuth, elevation] = VIEW;
         let rgb = grown.picture(&View::new(azimuth, elevation, [SIDE; 2])).rgb();
         let report = json!(grown.report(&document.name, 0.0));
         Ok(Self { size: [SIDE as usize; 2], rgb, report, patterns: Vec::new(), labels: Vec::new() })
     }
+}
+
+/// The bytes of the file of the document's model, if it has one.
+fn model_file(document: &Document) -> Option<&'static [u8]> {
+    let (name, bytes) = BOXES;
+    document.model.as_ref().filter(|body| body.source.name() == name).map(|_| bytes)
 }

@@ -16,7 +16,8 @@ const HEAD: &str = "# What each key changes\n\n\
     picture, *contrast of neighbours* the root mean square difference of luma of px side by side, *direction* that along which luma changes least\n\
     over the whole picture, and *coherence* how much that is the only one (0 to 1), by its structure tensor. A px differs where a colour of it differs by more than 16 of 255. Most canvases have 160 × 160 px, so that there are few\n\
     marks: means of areas and widths are still as asked, those of spacings vary by some per cent. `ramp` is a picture from black at the left to white\n\
-    at the right, `disc` a black disc on white, `hill` a white spot that fades into black.\n";
+    at the right, `disc` a black disc on white, `hill` a white spot that fades into black, `boxes.obj` a model of two boxes, the groups `left` and\n\
+    `right`.\n";
 
 /// The page.
 pub fn text(table: &Table, rows: &[Row], effects: &[Effect]) -> String {

@@ -170,6 +170,18 @@ fn slopes(grown: &Grown) -> Vec<[f64; 2]> {
     (0..height - 1).flat_map(|y| (0..width - 1).map(move |x| (x, y))).map(|(x, y)| slope(x, y)).collect()
 }
 
+/// The slopes of luma at the corners between four px. Differences to the px at the right and to the px below have a px in common: noise
+/// would have a direction.
+fn corner_slopes(grown: &Grown) -> Vec<[f64; 2]> {
+    let ([width, height], lumas) = (grown.size, lumas(grown));
+    let slope = |[x, y]: [usize; 2]| {
+        let at = y * width + x;
+        let [a, b, c, d] = [at, at + 1, at + width, at + width + 1].map(|px| lumas[px]);
+        [0.5 * (b + d - a - c), 0.5 * (c + d - a - b)]
+    };
+    (0..height - 1).flat_map(|y| (0..width - 1).map(move |x| [x, y])).map(slope).collect()
+}
+
 /// The root mean square difference of luma of neighbouring px, per cent.
 fn contrast(grown: &Grown) -> Option<f64> {
     let squares: Vec<f64> = slopes(grown).iter().map(|[x, y]| 0.5 * (x * x + y * y)).collect();
@@ -179,8 +191,39 @@ fn contrast(grown: &Grown) -> Option<f64> {
 /// Of the structure tensor of the whole picture: the direction along which luma changes least, degrees, and the coherence, from 0 (all
 /// directions) to 1 (one direction).
 fn tensor(grown: &Grown) -> (f64, f64) {
-    let slopes = slopes(grown);
+    let slopes = corner_slopes(grown);
     let sum = |part: fn(&[f64; 2]) -> f64| slopes.iter().map(part).sum::<f64>();
     let (sin, cos) = (sum(|[x, y]| 2.0 * x * y), sum(|[x, y]| x * x - y * y));
     (axial(-sin, -cos), libm::hypot(sin, cos) / sum(|[x, y]| x * x + y * y))
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    use super::*;
+
+    /// A picture of 64 × 64 px of this gray, 0 to 1, at each px.
+    fn picture(gray: impl Fn(usize, usize) -> f64) -> Grown {
+        let px = |index: usize| [(255.0 * gray(index % 64, index / 64)).round() as u8; 3];
+        let rgb = (0..64 * 64).flat_map(px).collect();
+        Grown { size: [64; 2], rgb, report: Value::Null, patterns: Vec::new(), labels: Vec::new() }
+    }
+
+    #[test]
+    fn stripes_have_their_direction_and_noise_has_none() {
+        for angle in [0.0, 30.0, 45.0, 100.0, 135.0] {
+            let (s, c) = libm::sincos(f64::to_radians(angle));
+            let stripes = |x: usize, y: usize| 0.5 + 0.4 * libm::sin(0.7 * (y as f64 * c - x as f64 * s));
+            let (direction, coherence) = tensor(&picture(stripes));
+            let off = (direction - angle + 90.0).rem_euclid(180.0) - 90.0;
+            assert!(off.abs() < 1.0, "{direction}, drawn {angle}");
+            assert!(coherence > 0.95, "{coherence}");
+        }
+        let mut dice = Pcg64Mcg::seed_from_u64(1);
+        let noise: Vec<f64> = (0..64 * 64).map(|_| dice.random()).collect();
+        let (_, coherence) = tensor(&picture(|x, y| noise[x + 64 * y]));
+        assert!(coherence < 0.1, "{coherence}");
+    }
 }

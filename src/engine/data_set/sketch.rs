@@ -34,7 +34,7 @@ const SPREAD: Spread = Spread { area: 0.25, angle: 8.0, aspect: 0.0, spacing: 0.
 /// From the middle of the canvas to those of its quarters, along x and along y, the logarithm of lengths changes by this at most, and
 /// directions by this, degrees.
 const GROWING: f64 = 0.1;
-const TURNING: f64 = 15.0;
+const TURNING: f64 = 10.0;
 /// Errors of drawing: of radii and widths as a share, of angles in degrees, of places as a share of the spacing.
 const RADIUS: f64 = 0.06;
 const ANGLE: f64 = 4.0;
