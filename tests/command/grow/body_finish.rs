@@ -70,13 +70,11 @@ fn read(picture: &image::RgbImage, uv: [f32; 2]) -> [f64; 3] {
     let side = [picture.width(), picture.height()];
     let at = [0, 1].map(|axis| f64::from(uv[axis]) * f64::from(side[axis]) - 0.5);
     let texel = |dx: u32, dy: u32| {
-        let place = [dx, dy]
-            .iter()
-            .zip(at)
-            .zip(side)
-            .map(|((by, at), side)| (at.floor() + f64::from(*by)).clamp(0.0, f64::from(side - 1)) as u32);
-        let place: Vec<u32> = place.collect();
-        picture[(place[0], place[1])].0.map(f64::from)
+        let [x, y] = [0, 1].map(|axis| {
+            let place = at[axis].floor() + f64::from([dx, dy][axis]);
+            place.clamp(0.0, f64::from(side[axis] - 1)) as u32
+        });
+        picture[(x, y)].0.map(f64::from)
     };
     let share = at.map(|at| at - at.floor());
     std::array::from_fn(|channel| {
