@@ -25,7 +25,7 @@ const FACING: f32 = 0.25;
 /// px between two colours along a hair, and the most of these.
 const STEP: [f64; 2] = [1.5, 24.0];
 /// How far beside a hair a px lies that it covers in the coarsest picture, px.
-const MARGIN: f64 = 1.0;
+const MARGIN: f64 = 0.5;
 
 /// The hairs of a surface, the lowest layer first.
 #[derive(Clone, Debug)]
@@ -133,36 +133,41 @@ impl Hairs {
                 colours.extend(own);
             }
         }
-        let side = f64::from(0.5 * length).clamp(3.0, 16.0);
+        let side = f64::from(0.3 * length).clamp(2.0, 16.0);
         let buckets = Buckets::new(source.surface, side, &|index| all[index].reached(), all.len());
         Some(Self { all, colours, buckets })
     }
 
-    /// The look `off` px beside a place of this colour.
-    pub fn surfel(&self, place: &Place, off: Vector, scale: f32, own: [f32; 4]) -> Surfel {
-        let mut surfel = hair::skin(own);
-        self.each(place, off, scale, |rooted, on| {
-            surfel = surfel.covered(&rooted.hair.surfel(on, self.colour(rooted, on.t)), on.cover);
-        });
-        surfel
+    /// The look at a place of this colour, and the heights at two points beside it.
+    pub fn look(&self, place: &Place, beside: [Vector; 2], scale: f32, own: [f32; 4]) -> (Surfel, [f32; 2]) {
+        let near = self.buckets.at(place.at).iter().map(|index| &self.all[*index as usize]);
+        self.covered(near, place, beside, scale, own)
     }
 
-    /// The height `off` px beside a place.
-    pub fn height(&self, place: &Place, off: Vector, scale: f32) -> f32 {
-        let mut height = 0.0;
-        self.each(place, off, scale, |rooted, on| height += on.cover * (rooted.hair.height(on.t) - height));
-        height
-    }
-
-    /// Names the hairs that cover a point beside a place, the lowest first.
-    fn each(&self, place: &Place, off: Vector, scale: f32, mut name: impl FnMut(&Rooted, &OnHair)) {
-        let (at, normal) = (single(plus(place.at, off)), single(place.normal));
-        for index in self.buckets.at(place.at) {
-            let rooted = &self.all[*index as usize];
-            if let Some(on) = rooted.at(at, normal, scale) {
-                name(rooted, &on);
+    /// The look with these hairs, the lowest first.
+    fn covered<'a>(
+        &self,
+        hairs: impl Iterator<Item = &'a Rooted>,
+        place: &Place,
+        beside: [Vector; 2],
+        scale: f32,
+        own: [f32; 4],
+    ) -> (Surfel, [f32; 2]) {
+        let (at, normal, beside) = (single(place.at), single(place.normal), beside.map(single));
+        let (mut surfel, mut heights) = (hair::skin(own), [0.0; 2]);
+        for rooted in hairs {
+            let Some([along, across]) = rooted.near(at, normal) else { continue };
+            if let Some(on) = rooted.on([along, across], scale) {
+                surfel = surfel.covered(&rooted.hair.surfel(&on, self.colour(rooted, on.t)), on.cover);
+            }
+            for (height, off) in heights.iter_mut().zip(beside) {
+                let there = [along + dot(off, rooted.axes[0]), across + dot(off, rooted.axes[1])];
+                if let Some(on) = rooted.on(there, scale) {
+                    *height += on.cover * (rooted.hair.height(on.t) - *height);
+                }
             }
         }
+        (surfel, heights)
     }
 
     /// The colour of a hair at t.
@@ -174,27 +179,41 @@ impl Hairs {
         [0, 1, 2, 3].map(|channel| a[channel] + share * (b[channel] - a[channel]))
     }
 
-    /// The look beside a place from all hairs of the surface: what [`Self::surfel`] is compared with.
+    /// The look from all hairs of the surface: what [`Self::look`] is compared with.
     #[cfg(test)]
-    pub fn surfel_plainly(&self, place: &Place, off: Vector, scale: f32, own: [f32; 4]) -> Surfel {
-        let (at, normal) = (single(plus(place.at, off)), single(place.normal));
-        let covers = self.all.iter().filter_map(|rooted| Some((rooted, rooted.at(at, normal, scale)?)));
-        covers.fold(hair::skin(own), |surfel, (rooted, on)| {
-            surfel.covered(&rooted.hair.surfel(&on, self.colour(rooted, on.t)), on.cover)
-        })
+    pub fn look_plainly(
+        &self,
+        place: &Place,
+        beside: [Vector; 2],
+        scale: f32,
+        own: [f32; 4],
+    ) -> (Surfel, [f32; 2]) {
+        self.covered(self.all.iter(), place, beside, scale, own)
     }
 }
 
 impl Rooted {
-    /// The place on the hair beneath a point with this normal, if it covers any of the px there.
+    /// Where a point with this normal is along and across the line through the root, if the hair may cover something near it.
     #[inline(always)]
-    fn at(&self, point: [f32; 3], normal: [f32; 3], scale: f32) -> Option<OnHair> {
+    fn near(&self, point: [f32; 3], normal: [f32; 3]) -> Option<[f32; 2]> {
+        const BESIDE: f32 = (MARGIN + OUTSIDE) as f32;
         let off = [0, 1, 2].map(|axis| point[axis] - self.root[axis]);
-        let [along, across, up] = self.axes.map(|axis| dot(off, axis));
-        if up.abs() > self.bent_away() || dot(normal, self.axes[2]) < FACING {
+        let across = dot(off, self.axes[1]);
+        if across.abs() > self.hair.half_width + self.hair.bend.abs() + BESIDE {
             return None;
         }
-        let on = self.hair.at([along, across], scale)?;
+        let [along, up] = [dot(off, self.axes[0]), dot(off, self.axes[2])];
+        let is_near = along >= -BESIDE
+            && along <= self.hair.length + BESIDE
+            && up.abs() <= self.bent_away()
+            && dot(normal, self.axes[2]) >= FACING;
+        is_near.then_some([along, across])
+    }
+
+    /// The place on the hair so far along and across the line through its root, if it covers any of the px there.
+    #[inline(always)]
+    fn on(&self, local: [f32; 2], scale: f32) -> Option<OnHair> {
+        let on = self.hair.at(local, scale)?;
         Some(OnHair { cover: self.hair.opacity(scale) * on.cover, ..on })
     }
 
@@ -209,7 +228,7 @@ impl Rooted {
         let [along, across] = [0.5 * length, 0.5 * bend].map(f64::from);
         let middle = plus(self.root.map(f64::from), plus(times(axes[0], along), times(axes[1], across)));
         let sideways = across.abs() + f64::from(half_width) + MARGIN;
-        let halves = [along + OUTSIDE, sideways + OUTSIDE, f64::from(self.bent_away()) + OUTSIDE];
+        let halves = [along + MARGIN + OUTSIDE, sideways + OUTSIDE, f64::from(self.bent_away())];
         Reached { middle, axes, halves }
     }
 }

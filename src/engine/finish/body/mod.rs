@@ -36,11 +36,12 @@ use plates::{Fish, Reptile};
 use reach::SurfaceReach;
 use source::{OUTSIDE, Place};
 
-/// Pictures with so many px along each px of the document have one point a px.
-const FINE: f32 = 2.0;
+/// Pictures with fewer px along each px of the document have the mean of four points a px: of hair, which knows how much of a px it
+/// covers, and of all others.
+const FINE: [f32; 2] = [1.0, 2.0];
 /// The coarsest pictures for which it is computed, px along each px of the document: what is coarser shows single points.
-const COARSEST: f32 = 0.5;
-/// Distance between the two points of a slope, px of the picture.
+const COARSEST: f32 = 0.25;
+/// Distance between the two points of a slope, px of the picture; those have at least one px along each px of the document.
 const RUN: f32 = 0.6;
 /// The steepest slope.
 const STEEPEST: f64 = 2.0;
@@ -51,6 +52,14 @@ pub struct SurfaceFinish<'a> {
     parts: Parts,
     /// The lowest and the highest of its heights, px.
     heights: [f32; 2],
+}
+
+impl Finished {
+    /// The mean of two looks.
+    fn halfway(&self, other: &Self) -> Self {
+        let slope = times(plus(self.slope, other.slope), 0.5);
+        Self { surfel: self.surfel.covered(&other.surfel, 0.5), slope }
+    }
 }
 
 impl Finish {
@@ -124,50 +133,44 @@ impl<'a> SurfaceFinish<'a> {
     #[must_use]
     pub fn at(&self, point: SurfacePoint, scale: f32) -> Finished {
         let scale = scale.max(COARSEST);
+        if scale >= FINE[usize::from(!matches!(self.parts, Parts::Fur(_)))] {
+            return self.single(point, scale);
+        }
+        let step = f64::from(0.25 / scale);
+        let at =
+            |x: f64, y: f64| self.single(self.source.surface.walk(point, [x * step, y * step]), 2.0 * scale);
+        let [left, right] = [-1.0, 1.0].map(|x| at(x, -1.0).halfway(&at(x, 1.0)));
+        left.halfway(&right)
+    }
+
+    /// The finish at a point.
+    fn single(&self, point: SurfacePoint, scale: f32) -> Finished {
+        let scale = scale.max(1.0);
         let place = self.source.place(point);
         let own = (self.source.paint)(point);
-        let run = f64::from(RUN / scale);
+        let run = RUN / scale;
         let right = unit(cross(place.normal, axis_beside(place.normal))).unwrap_or([1.0, 0.0, 0.0]);
-        let up = cross(place.normal, right);
-        let surfel = self.mean(&place, [right, up], scale, own);
-        let slope = [right, up].map(|axis| {
-            let [ahead, behind] =
-                [0.5, -0.5].map(|share| self.height(&place, times(axis, share * run), scale));
-            f64::from(ahead - behind) / run
-        });
-        let slope = plus(times(right, slope[0]), times(up, slope[1]));
+        let axes = [right, cross(place.normal, right)];
+        let ahead = axes.map(|axis| times(axis, f64::from(run)));
+        let (surfel, heights) = match &self.parts {
+            Parts::Fur(hairs) => hairs.look(&place, ahead, scale, own),
+            _ => {
+                let surfel = self.surfel(&place, [0.0; 3], scale, Some(own));
+                (surfel, ahead.map(|off| self.surfel(&place, off, scale, None).height))
+            }
+        };
+        let rises = heights.map(|height| f64::from((height - surfel.height) / run));
+        let slope = plus(times(axes[0], rises[0]), times(axes[1], rises[1]));
         let steep = dot(slope, slope).sqrt();
         Finished { surfel, slope: if steep > STEEPEST { times(slope, STEEPEST / steep) } else { slope } }
     }
 
-    /// The look of a px around a place with these tangents.
-    fn mean(&self, place: &Place, [right, up]: [Vector; 2], scale: f32, own: [f32; 4]) -> Surfel {
-        // Hairs know how much of a px they cover.
-        if scale >= FINE || matches!(self.parts, Parts::Fur(_)) {
-            return self.surfel(place, [0.0; 3], scale, Some(own));
-        }
-        let step = f64::from(0.25 / scale);
-        let at = |x: f64, y: f64| {
-            let off = plus(times(right, x * step), times(up, y * step));
-            self.surfel(place, off, scale, Some(own))
-        };
-        let [left, right] = [-1.0, 1.0].map(|x| at(x, -1.0).covered(&at(x, 1.0), 0.5));
-        left.covered(&right, 0.5)
-    }
-
-    fn height(&self, place: &Place, off: Vector, scale: f32) -> f32 {
-        match &self.parts {
-            Parts::Fur(hairs) => hairs.height(place, off, scale),
-            _ => self.surfel(place, off, scale, None).height,
-        }
-    }
-
-    /// The look at a place that is `off` px from another one, whose own colour and share of ink are `own`; without colours where those
-    /// are not known.
+    /// The look of what is no hair at a place that is `off` px from another one, whose own colour and share of ink are `own`; without
+    /// colours where those are not known.
     fn surfel(&self, place: &Place, off: Vector, scale: f32, own: Option<[f32; 4]>) -> Surfel {
         debug_assert!(dot(off, off) <= OUTSIDE * OUTSIDE, "{off:?}");
         match &self.parts {
-            Parts::Fur(hairs) => hairs.surfel(place, off, scale, own.unwrap_or_default()),
+            Parts::Fur(hairs) => hairs.look(place, [off; 2], scale, own.unwrap_or_default()).0,
             Parts::Hide(grains) => grains.surfel(&self.source, place, off, own),
             Parts::Fish(fish) => fish.surfel(&self.source, place, off, scale, own),
             Parts::Reptile(reptile) => reptile.surfel(&self.source, place, off, own),

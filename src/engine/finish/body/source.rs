@@ -3,8 +3,8 @@
 use crate::surface::vector::{Vector, across, axis_beside, dot, length, plus, times, unit};
 use crate::surface::{Surface, SurfacePoint};
 
-/// How far outside of a place its neighbourhood is looked at, px: for slopes, and for the mean of a px.
-pub(super) const OUTSIDE: f64 = 1.5;
+/// How far outside of a place its neighbourhood is looked at, px, for slopes.
+pub(super) const OUTSIDE: f64 = 0.61;
 
 /// Colour and share of ink at a place: red, green, blue in the coding of sRGB, and 1 where a mark covers it, otherwise 0.
 pub type Paint<'a> = Box<dyn Fn(SurfacePoint) -> [f32; 4] + Send + Sync + 'a>;

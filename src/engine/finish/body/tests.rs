@@ -66,11 +66,12 @@ fn fur_is_what_all_hairs_of_the_surface_make_of_a_place() {
     let Parts::Fur(hairs) = &finish.parts else { panic!("fur") };
     for point in places(&surface, 150) {
         let place = finish.source.place(point);
-        for (scale, off) in [(0.5, [0.4, -0.3, 0.2]), (1.0, [0.0; 3]), (4.0, [0.0, 0.1, -0.1])] {
+        for (scale, beside) in
+            [(1.0, [[0.4, -0.3, 0.2], [0.0; 3]]), (4.0, [[0.0, 0.1, -0.1], [0.1, 0.0, 0.0]])]
+        {
             let own = [0.9, 0.75, 0.5, 0.0];
-            let plain = hairs.surfel_plainly(&place, off, scale, own);
-            assert_eq!(hairs.surfel(&place, off, scale, own), plain, "{place:?} {scale}");
-            assert!((hairs.height(&place, off, scale) - plain.height).abs() < 1e-4);
+            let plain = hairs.look_plainly(&place, beside, scale, own);
+            assert_eq!(hairs.look(&place, beside, scale, own), plain, "{place:?} {scale}");
         }
     }
 }
