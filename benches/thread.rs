@@ -74,7 +74,7 @@ fn pictures(criterion: &mut Criterion, pattern: &Field) {
         bencher.iter(|| some.iter().flat_map(|v| gradient.colour(*v)).collect::<Vec<u8>>());
     });
     colours.throughput(Throughput::Elements((SIDE * SIDE) as u64));
-    let layers = [Painted { pattern, free: None, table: &table, visible: true }];
+    let layers = [Painted { ground: None, pattern, free: None, table: &table, visible: true }];
     colours.bench_function("table", |bencher| bencher.iter(|| paint(black_box(&layers), SIDE, SIDE)));
     colours.throughput(Throughput::Elements(1 << 16));
     colours.bench_function("make the table", |bencher| bencher.iter(|| black_box(&gradient).table()));

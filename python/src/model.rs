@@ -83,10 +83,11 @@ impl GrownModel {
             } else if has_ending(&path, "obj") {
                 self.textured(size, relief)?.prepare_obj(&path, watch).map_err(words)
             } else if has_ending(&path, "glb") {
-                // A model without texture coordinates has colours by vertex.
-                let file = match self.grown.own_atlas() {
-                    Ok(_) => self.textured(size, relief)?.prepare_glb(&path, watch),
-                    Err(_) => files::prepare(&path, |out| self.grown.write_glb(out)),
+                // A model without texture coordinates has colours by vertex, which are too coarse for a finish.
+                let is_textured = self.grown.document.finish.is_some() || self.grown.own_atlas().is_ok();
+                let file = match is_textured {
+                    true => self.textured(size, relief)?.prepare_glb(&path, watch),
+                    false => files::prepare(&path, |out| self.grown.write_glb(out)),
                 };
                 Ok(vec![file.map_err(words)?])
             } else {

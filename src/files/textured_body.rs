@@ -41,13 +41,15 @@ impl TexturedBody<'_> {
     /// # Errors
     /// The file cannot be written; or it was cancelled.
     pub fn prepare_glb(&self, path: &Path, watch: &Watch) -> Result<Prepared, ExportError> {
-        let mut pictures: [Vec<u8>; 3] = Default::default();
         let set = Set { deep: false, ..self.set("") };
-        let failed = self.texture().write(&mut pictures, &set, &SKIN, watch);
+        let texture = self.texture(watch);
+        let maps = self.maps(&texture);
+        let mut pictures = vec![Vec::new(); maps.len()];
+        let failed = texture.write(&mut pictures, &set, &maps, watch);
         prepare(path, |out| {
             failed.map_err(|failed| failed.why)?;
-            let [base_colour, normal, orm] = [0, 1, 2].map(|at| SkinPicture::Inside(&pictures[at]));
-            let skin = self.skin([base_colour, normal, orm]);
+            let pictures: Vec<_> = pictures.iter().map(|bytes| SkinPicture::Inside(bytes)).collect();
+            let skin = skin(&pictures);
             self.grown.write_textured_glb(out, &self.atlas, &skin)
         })
     }
@@ -60,9 +62,9 @@ impl TexturedBody<'_> {
         let named = name(&path.file_stem().unwrap_or_default().to_string_lossy());
         let folder = path.parent().unwrap_or(Path::new(""));
         let set = self.set(&named);
-        let mut files = prepare_maps(&self.texture(), folder, &set, &OF_OBJ, watch)?;
+        let mut files = prepare_maps(&self.texture(watch), folder, &set, &OF_OBJ, watch)?;
         let [base_colour, normal, roughness] = OF_OBJ.map(|map| map.file(&named));
-        let skin = self.skin([&base_colour, &normal, &normal].map(|file| SkinPicture::Beside(file)));
+        let skin = skin(&[&base_colour, &normal, &normal].map(|file| SkinPicture::Beside(file)));
         let library = format!("{named}.mtl");
         files.push(prepare(&folder.join(&library), |out| {
             self.grown.write_mtl(out, &self.atlas, &skin, &roughness)
@@ -82,10 +84,12 @@ impl TexturedBody<'_> {
         watch: &Watch,
     ) -> Result<Vec<Prepared>, ExportError> {
         make_folder(folder)?;
-        let set = self.set(named);
-        let mut files = prepare_maps(&self.texture(), folder, &set, &set.maps(), watch)?;
-        let pictures = SKIN.map(|map| map.file(named));
-        let skin = self.skin([0, 1, 2].map(|at| SkinPicture::Beside(&pictures[at])));
+        let texture = self.texture(watch);
+        let set = Set { anisotropic: texture.is_anisotropic(), ..self.set(named) };
+        let mut files = prepare_maps(&texture, folder, &set, &set.maps(), watch)?;
+        let pictures: Vec<String> = self.maps(&texture).iter().map(|map| map.file(named)).collect();
+        let pictures: Vec<_> = pictures.iter().map(|file| SkinPicture::Beside(file)).collect();
+        let skin = skin(&pictures);
         let buffer = format!("{named}.bin");
         let [text, bytes] = self.grown.textured_gltf(&self.atlas, &skin, &buffer);
         for (file, bytes) in [(format!("{named}.gltf"), text), (buffer, bytes)] {
@@ -95,15 +99,28 @@ impl TexturedBody<'_> {
         Ok(files)
     }
 
-    fn texture(&self) -> Texture<'_> {
-        self.grown.texture(&self.atlas, self.size, &self.surface)
+    fn texture(&self, watch: &Watch) -> Texture<'_> {
+        self.grown.texture(&self.atlas, self.size, &self.surface, watch)
+    }
+
+    /// The pictures of its skin.
+    fn maps(&self, texture: &Texture) -> Vec<Map> {
+        SKIN.into_iter().chain(texture.is_anisotropic().then_some(Map::Anisotropy)).collect()
     }
 
     fn set<'b>(&self, name: &'b str) -> Set<'b> {
         Set { name, size: self.size, deep: self.deep, transparent: false, anisotropic: false, dpi: None }
     }
+}
 
-    fn skin<'b>(&self, [base_colour, normal, orm]: [SkinPicture<'b>; 3]) -> Skin<'b> {
-        Skin { material: MATERIAL, base_colour, normal, orm, transparent: false }
+/// A skin of these pictures: of [`SKIN`], and if there is one the direction of reflections.
+fn skin<'a>(pictures: &[SkinPicture<'a>]) -> Skin<'a> {
+    Skin {
+        material: MATERIAL,
+        base_colour: pictures[0],
+        normal: pictures[1],
+        orm: pictures[2],
+        anisotropy: pictures.get(3).copied(),
+        transparent: false,
     }
 }

@@ -14,30 +14,31 @@ const NONE: &str = "none";
 /// Shows the finish of `document`.
 pub fn finish(ui: &mut Ui, document: &Document) -> Option<Action> {
     heading(ui, "Finish");
-    if document.model.is_some() {
-        ui.label(RichText::new("Textures on models have no finish yet.").weak());
+    if document.parametric.is_some() {
+        ui.label(RichText::new("The map of a surface has no finish.").weak());
         return None;
     }
+    let on_model = document.model.is_some();
     let mut now = document.finish.clone();
     rows(ui, "finish", |ui| {
         ui.label("Material").on_hover_text(
             "What the texture is made of. It changes the picture only: pattern, outlines and measurements stay",
         );
-        kind(ui, &mut now);
+        kind(ui, &mut now, on_model);
         ui.end_row();
         if let Some(finishing) = &mut now {
             size(ui, &mut finishing.finish);
             mottling(ui, &mut finishing.finish);
             if finishing.finish.kind.has_flow() || finishing.flow.strokes() > 0 {
                 let has_flow = finishing.finish.kind.has_flow();
-                direction(ui, &mut finishing.flow, has_flow);
+                direction(ui, &mut finishing.flow, has_flow, on_model);
             }
         }
     });
     (now != document.finish).then_some(Action::Edit(Edit::Finish(now)))
 }
 
-fn kind(ui: &mut Ui, now: &mut Option<Finishing>) {
+fn kind(ui: &mut Ui, now: &mut Option<Finishing>, on_model: bool) {
     let shown = now.as_ref().map_or(NONE, |finishing| finishing.finish.kind.name());
     let combo = ComboBox::from_id_salt("finish").selected_text(words(shown)).width(110.0);
     let combo = combo.show_ui(ui, |ui| {
@@ -51,6 +52,11 @@ fn kind(ui: &mut Ui, now: &mut Option<Finishing>) {
             *now = None;
         }
         for (name, kind) in FinishKind::NAMES {
+            if let (true, Err(why)) = (on_model, kind.on_models()) {
+                let entry = ui.add_enabled(false, egui::Button::selectable(false, words(name)));
+                entry.on_disabled_hover_text(format!("Not on a model: {why}"));
+                continue;
+            }
             if ui.selectable_label(shown == name, words(name)).clicked() && shown != name {
                 let flow = now.take().map_or(FlowChoice::Usual, |finishing| finishing.flow);
                 // Strokes are kept for a later finish with a direction.
@@ -84,8 +90,13 @@ fn mottling(ui: &mut Ui, finish: &mut Finish) {
     ui.end_row();
 }
 
-fn direction(ui: &mut Ui, flow: &mut FlowChoice, has_flow: bool) {
-    let help = "The way from head to tail. Automatic: across stripes, otherwise to the left";
+fn direction(ui: &mut Ui, flow: &mut FlowChoice, has_flow: bool, on_model: bool) {
+    let help = match on_model {
+        true => {
+            "The way from head to tail, from +x of the sketch on the model. Automatic: across stripes, otherwise to the tail and down"
+        }
+        false => "The way from head to tail. Automatic: across stripes, otherwise to the left",
+    };
     ui.label("Direction").on_hover_text(help);
     if matches!(flow, FlowChoice::Strokes(_)) {
         let text = match has_flow {

@@ -67,7 +67,7 @@ pub fn run(args: &Args, document: &Document, kind: Kind) -> Result<(), Error> {
     let grown = growth.run().map_err(Error::grown)?;
     let side = args.side.unwrap_or(SIDE);
     let view = View { turns: true, ..View::new(VIEW[0], VIEW[1], [side; 2]) };
-    let shown = Shown::new(&grown, &view);
+    let shown = Shown::new(&grown, &view, &watch);
     let frames = args.clip().frames(kind).map_err(super::film_error)?;
     let mut palette = shown.palette(&view);
     palette.truncate(COLOURS);

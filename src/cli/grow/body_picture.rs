@@ -10,8 +10,8 @@ use crate::export::{Format, Stopped, picture};
 use crate::files::{self, Prepared};
 use crate::machine::aside::aside;
 use crate::machine::free_memory;
-use crate::synth::body::GrownBody;
-use crate::synth::memory;
+use crate::synth::body::{GrownBody, Shown};
+use crate::synth::{Stage, Watch, memory};
 
 /// Width and height of a picture of a model, px.
 const SIZE: [u32; 2] = [1_024, 1_024];
@@ -39,7 +39,12 @@ pub fn check_picture(args: &Args) -> Result<(), Error> {
 ///
 /// # Errors
 /// It cannot be written.
-pub fn prepare_picture(path: &Path, args: &Args, grown: &GrownBody) -> Result<Prepared, Error> {
+pub fn prepare_picture(
+    path: &Path,
+    args: &Args,
+    grown: &GrownBody,
+    watch: &Watch,
+) -> Result<Prepared, Error> {
     let format = Format::from_path(path).unwrap_or(Format::Png);
     let size = size(args);
     let px = size.map(|side| side as usize);
@@ -50,7 +55,8 @@ pub fn prepare_picture(path: &Path, args: &Args, grown: &GrownBody) -> Result<Pr
     if is_clear {
         view.background = None;
     }
-    let drawn = grown.picture(&view);
+    let drawn = Shown::new(grown, &view, watch).picture(&view);
+    watch.step(Stage::Write, 1.0).map_err(|_| Error::Interrupted)?;
     let style = args.look.style_for(&grown.document, true, crate::document::Extent::default());
     let samples = if is_clear { Samples::Rgba8 } else { Samples::Rgb8 };
     let header = Header { texts: &style.texts, ..Header::new(px, samples) };

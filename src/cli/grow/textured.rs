@@ -77,9 +77,10 @@ pub fn prepare(args: &Args, grown: &GrownBody, watch: &Watch) -> Result<Written,
         } else if let Some(height) = args.body.displace {
             Ok(vec![relief(path, grown, height, &mut written)?])
         } else if has_ending(path, "ply") {
+            written.notes.extend(unfinished(path, grown));
             one(files::prepare(path, |out| grown.write_ply(out)))
         } else {
-            Ok(vec![prepare_picture(path, args, grown)?])
+            Ok(vec![prepare_picture(path, args, grown, watch)?])
         };
         written.files.extend(made?);
     }
@@ -92,6 +93,7 @@ pub fn prepare(args: &Args, grown: &GrownBody, watch: &Watch) -> Result<Written,
 
 /// Writes a model whose marks are raised by `height` mm.
 fn relief(path: &Path, grown: &GrownBody, height: f64, written: &mut Written) -> Result<Prepared, Error> {
+    written.notes.extend(unfinished(path, grown));
     let displaced = grown.displaced(height);
     let [x, y, z] = displaced.size();
     written.notes.push(format!("{}: {x:.1} × {y:.1} × {z:.1} mm", path.display()));
@@ -100,14 +102,24 @@ fn relief(path: &Path, grown: &GrownBody, height: f64, written: &mut Written) ->
         .map_err(Error::exported)
 }
 
-/// The model with its texture; `None` where no file has one: a `.glb` of a model without texture coordinates has colours by vertex.
+/// What is to be said of a file that has colours and heights by vertex; nothing if the document has no finish.
+fn unfinished(path: &Path, grown: &GrownBody) -> Option<String> {
+    let kind = grown.document.finish.as_ref()?.finish.kind.name();
+    let path = path.display();
+    Some(format!("{path}: without the finish {kind}, which is finer than its triangles; -o OUT.glb has it"))
+}
+
+/// The model with its texture; `None` where no file has one: a `.glb` of a model without texture coordinates has colours by
+/// vertex, unless the document has a finish.
 fn textured<'a>(
     args: &Args,
     grown: &'a GrownBody,
     written: &mut Written,
 ) -> Result<Option<TexturedBody<'a>>, Error> {
     let ends = |ending| args.output.as_deref().is_some_and(|path| has_ending(path, ending));
-    let needed = args.material.material.is_some() || ends("obj");
+    // A finish is finer than colours by vertex.
+    let is_finished = grown.document.finish.is_some() && ends("glb");
+    let needed = args.material.material.is_some() || ends("obj") || is_finished;
     let atlas = if needed {
         let laid = grown.lay_out().map_err(Error::step)?;
         written.notes.extend(laid.note(&grown.placed.model.name));

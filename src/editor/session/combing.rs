@@ -2,7 +2,7 @@
 
 use super::Session;
 use crate::document::limits::Range;
-use crate::document::{FlowChoice, Stroke};
+use crate::document::{Finishing, FlowChoice, Stroke};
 use crate::marks::{Path, distance_to_segment};
 
 /// Width of a stroke of hair, px: only its direction counts.
@@ -11,10 +11,11 @@ const WIDTH: f64 = 6.0;
 const FINE: f64 = 0.3;
 
 impl Session {
-    /// Whether the finish of the document has a direction.
+    /// Whether the finish of the document has a direction that strokes on the canvas can give: not on a model.
     #[must_use]
     pub fn can_comb(&self) -> bool {
-        self.document.finish.as_ref().is_some_and(|finishing| finishing.finish.kind.has_flow())
+        let has_flow = |finishing: &Finishing| finishing.finish.kind.has_flow();
+        self.document.model.is_none() && self.document.finish.as_ref().is_some_and(has_flow)
     }
 
     /// The strokes of hair, each with its points, px.
@@ -82,7 +83,7 @@ impl Session {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::{Document, Finish, FinishKind, Finishing, Layer, Stroke};
+    use crate::document::{Body, BodySource, Document, Finish, FinishKind, Layer};
 
     fn session(kind: FinishKind) -> Session {
         let finish = Some(Finishing { flow: FlowChoice::Angle(30.0), ..Finish::new(kind).into() });
@@ -121,5 +122,8 @@ mod tests {
         let mut fur = session(FinishKind::Fur);
         assert!(!fur.comb(&[[10.0, 10.0]]) && !fur.comb(&[[10.0, 10.0], [10.01, 10.0]]));
         assert!(fur.comb(&points));
+        let body = Body::new(BodySource::BuiltIn("sphere"));
+        let on_model = Document { model: Some(body), ..session(FinishKind::Fur).document().clone() };
+        assert!(!Session::open(on_model, None).comb(&points));
     }
 }

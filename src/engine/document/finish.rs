@@ -147,11 +147,22 @@ pub(super) fn hair(layer: &Node, size: [u32; 2]) -> Result<Vec<Stroke>, Problem>
     if found.is_empty() { Err(list.found("no strokes", allowed)) } else { Ok(found) }
 }
 
-/// The finish of a document with these layers of `hair`, each with its place; bodies (`on_model`) have none.
+/// What a document grows on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Ground {
+    /// The flat canvas.
+    Canvas,
+    /// The surface of a model.
+    Model,
+    /// The flat map of a surface.
+    Map,
+}
+
+/// The finish of a document on this ground with these layers of `hair`, each with its place.
 pub(super) fn combined(
     finish: Option<Finishing>,
     hair: Option<(String, Vec<Stroke>)>,
-    on_model: bool,
+    ground: Ground,
 ) -> Result<Option<Finishing>, Problem> {
     let Some(finish) = finish else {
         return match hair {
@@ -162,18 +173,42 @@ pub(super) fn combined(
             }
         };
     };
-    if on_model {
-        let found =
-            "a finish of a document with a model, whose surface has no flat picture to paint it on yet";
-        return Err(Problem::new("finish", found, "a document without \"model\", or without \"finish\""));
-    }
+    fits(&finish, ground)?;
     match hair {
         None => Ok(Some(finish)),
+        Some((place, _)) if ground == Ground::Model => {
+            let found = "a layer of hair, whose strokes on the canvas have no place on the model";
+            Err(Problem::new(place, found, "\"flow\" of the finish, and \"strokes\" of the model"))
+        }
         Some((place, _)) if finish.flow != FlowChoice::Usual => {
             Err(Problem::new(place, "a layer of hair beside finish.flow", "one of the two"))
         }
         Some((_, strokes)) => Ok(Some(Finishing { flow: FlowChoice::Strokes(strokes), ..finish })),
     }
+}
+
+/// Refuses a finish that cannot be on this ground.
+fn fits(Finishing { finish, .. }: &Finishing, ground: Ground) -> Result<(), Problem> {
+    let kind = finish.kind;
+    match ground {
+        Ground::Canvas => Ok(()),
+        Ground::Model => kind.on_models().map_err(|why| {
+            let found = format!("{} on a model: {why}", kind.name());
+            Problem::new("finish.kind", found, on_models())
+        }),
+        Ground::Map => {
+            let found =
+                "a finish on the map of a surface, on which its parts would be stretched where that is steep";
+            Err(Problem::new("finish", found, "a document without \"model\", or without \"finish\""))
+        }
+    }
+}
+
+/// The kinds that can be on a model, in words.
+fn on_models() -> String {
+    let named =
+        finish::Kind::NAMES.iter().filter(|(_, kind)| kind.on_models().is_ok()).map(|(name, _)| *name);
+    named.collect::<Vec<_>>().join(", ")
 }
 
 /// The finish as JSON.
@@ -252,7 +287,8 @@ mod tests {
             (r#""finish": {"kind": "cloth", "flow": 30},"#, "", "only with fur"),
             (r#""finish": {"kind": "fur", "mottle": 0.5},"#, "", "from 0 to 0.3"),
             (r#""finish": {"kind": "fur", "flow": 30},"#, HAIR, "one of the two"),
-            (r#""finish": {"kind": "fur"}, "model": {"file": "sphere"},"#, "", "without \"model\""),
+            (r#""finish": {"kind": "cloth"}, "model": {"file": "sphere"},"#, "", "allowed: fur, fish-scales"),
+            (r#""finish": {"kind": "fur"}, "model": {"file": "sphere"},"#, HAIR, "no place on the model"),
             ("", HAIR, "without a finish"),
             (r#""finish": {"kind": "fur"},"#, ellipse, "found an ellipse"),
         ] {

@@ -83,7 +83,7 @@ pub(super) static DOCUMENT: Object = Object {
             "finish",
             Shape::Object(&finish::FINISH),
             Key::NONE,
-            "the material that the texture is made of; not with a `model`",
+            "the material that the texture is made of; on a `model` fur, scales, skin, leather or ink",
         ),
         // Beside them there may be one layer of hair.
         Key::new(
@@ -245,7 +245,11 @@ pub(super) fn document(root: &Node) -> Result<Document, Problem> {
     let model = body.map(|node| body::read(&node, regions.unwrap_or([1, 1]))).transpose()?;
     let (layers, hair) = layers(&root.need("layers", "a list of layers")?, size, model.as_ref())?;
     let finish = root.get("finish").map(|node| finish::read(&node)).transpose()?;
-    let on_model = model.is_some() || parametric.is_some();
+    let ground = match (&model, &parametric) {
+        (Some(_), _) => finish::Ground::Model,
+        (None, Some(_)) => finish::Ground::Map,
+        (None, None) => finish::Ground::Canvas,
+    };
     Ok(Document {
         name: name(root)?.unwrap_or(default.name),
         size,
@@ -255,7 +259,7 @@ pub(super) fn document(root: &Node) -> Result<Document, Problem> {
         dpi: root.get("dpi").map_or(Ok(default.dpi), |node| node.number(&limits::DPI))?,
         growth: root.get("growth").map_or(Ok(default.growth), |node| growth(&node))?,
         warp: root.get("warp").map(|node| warp::read(&node, model.is_some())).transpose()?,
-        finish: finish::combined(finish, hair, on_model)?,
+        finish: finish::combined(finish, hair, ground)?,
         layers,
         model,
         parametric,

@@ -7,7 +7,7 @@ use super::surfel::{Source, Surfel};
 /// The paper.
 const PAPER: [f32; 3] = [0.98, 0.965, 0.93];
 /// How far ink runs ÷ length of the fibres.
-const RUN: f32 = 0.32;
+pub(super) const RUN: f32 = 0.32;
 
 /// Ink on paper with fibres `size` px long.
 #[must_use]
@@ -50,20 +50,25 @@ pub(super) fn surfel<'a>(source: &'a Source, size: f32) -> impl Fn([f32; 2]) -> 
             (0..3).map(|channel| (there[channel] - seen[channel]).max(0.0)).sum::<f32>()
         });
         let rim = (around.iter().sum::<f32>() * 0.5).min(1.0);
-        let [slow, grain] = [cloud.at(point), 0.5 * (fibre[0] + fibre[1])];
-        let density = 1.12 + 0.14 * slow + 0.1 * grain + 0.3 * rim;
-        // Each channel is what the ink lets through: more ink lets less through.
-        let passed = [0, 1, 2].map(|channel| {
-            let absorbed = (1.0 - seen[channel]) * density;
-            PAPER[channel] * (1.0 - absorbed).clamp(0.0, 1.0)
-        });
-        Surfel {
-            colour: passed,
-            tint: 1.0 + 0.02 * grain,
-            light: 1.0,
-            height: 0.05 * grain,
-            roughness: 0.92 - 0.1 * seen[3],
-            ink: seen[3],
-        }
+        dried(seen, rim, cloud.at(point), 0.5 * (fibre[0] + fibre[1]))
+    }
+}
+
+/// Dried ink of a colour and share of ink: how much of a rim it is, 0..1, slow noise, and noise of the fibres.
+#[inline]
+pub(super) fn dried(seen: [f32; 4], rim: f32, slow: f32, grain: f32) -> Surfel {
+    let density = 1.12 + 0.14 * slow + 0.1 * grain + 0.3 * rim;
+    // Each channel is what the ink lets through: more ink lets less through.
+    let passed = [0, 1, 2].map(|channel| {
+        let absorbed = (1.0 - seen[channel]) * density;
+        PAPER[channel] * (1.0 - absorbed).clamp(0.0, 1.0)
+    });
+    Surfel {
+        colour: passed,
+        tint: 1.0 + 0.02 * grain,
+        light: 1.0,
+        height: 0.05 * grain,
+        roughness: 0.92 - 0.1 * seen[3],
+        ink: seen[3],
     }
 }

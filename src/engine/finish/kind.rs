@@ -97,6 +97,28 @@ impl Kind {
         }
     }
 
+    /// Whether it can be on the surface of a model.
+    ///
+    /// # Errors
+    /// It cannot: the reason.
+    pub fn on_models(self) -> Result<(), &'static str> {
+        match self {
+            Self::Fur | Self::FishScales | Self::ReptileScales => Ok(()),
+            Self::Skin | Self::Leather | Self::Ink => Ok(()),
+            Self::Cloth | Self::Twill => {
+                Err("its threads cross on a lattice, which no closed surface has without a seam")
+            }
+            Self::Print => Err("its dots lie on lattices, which no closed surface has without a seam"),
+        }
+    }
+
+    /// How far its reflections are stretched across the flow, of 255; `None` if they have no direction. Of hair .7 of the most, which was
+    /// not compared in a renderer.
+    #[must_use]
+    pub fn stretch(self) -> Option<u8> {
+        (self == Self::Fur).then_some(180)
+    }
+
     /// Whether the flow of a document changes it.
     #[must_use]
     pub fn has_flow(self) -> bool {

@@ -9,10 +9,12 @@
 //! [`Finished::mask`]. All sizes are in px of the document, so that a picture with more px shows finer details of the same hairs.
 //! A canvas that wraps has a finish that wraps. The same seed gives the same bytes on every machine and with any number of threads.
 
+pub mod body;
 pub mod cells;
 pub mod cloth;
 pub mod flow;
 pub mod fur;
+mod hair;
 pub mod ink;
 mod kind;
 pub mod light;

@@ -6,11 +6,17 @@ use super::noise::{Noise, part_seed};
 use super::surfel::{Source, Surfel};
 
 /// Octaves: size ÷ size of the material, and weight.
-const OCTAVES: [(f32, f32); 3] = [(8.0, 1.0), (3.0, 0.7), (1.2, 0.5)];
+pub(super) const OCTAVES: [(f32, f32); 3] = [(8.0, 1.0), (3.0, 0.7), (1.2, 0.5)];
 /// The standard deviation of [`Noise`].
 const DEVIATION: f32 = 0.5;
 /// The seeds of the octaves are those of parts of the finish from this on.
-const PART: u32 = 64;
+pub(super) const PART: u32 = 64;
+
+/// The factor of the sum of the weighted octaves for a tone with the standard deviation `by`.
+pub(super) fn factor(by: f32) -> f32 {
+    let squares: f32 = OCTAVES.iter().map(|(_, weight)| weight * weight).sum();
+    by / (DEVIATION * squares.sqrt())
+}
 
 /// Varies the tone of the px of `picture` with the standard deviation `by`, a share of the tone. The parts of the material are `size` px of
 /// the document.
@@ -22,8 +28,7 @@ pub fn mottle(picture: &mut [Surfel], source: &Source, size: f32, by: f32) {
             (Noise::new(source.canvas, times * size, part_seed(source.seed, part)), *weight)
         })
         .collect();
-    let squares: f32 = OCTAVES.iter().map(|(_, weight)| weight * weight).sum();
-    let factor = by / (DEVIATION * squares.sqrt());
+    let factor = factor(by);
     let (width, scale) = (source.size[0], source.scale());
     picture.par_chunks_mut(width.max(1)).enumerate().for_each(|(y, row)| {
         for (x, surfel) in row.iter_mut().enumerate() {

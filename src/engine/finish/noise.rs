@@ -28,6 +28,21 @@ impl Random {
         Self(mixed(seed ^ mixed(column.wrapping_mul(0x9e37_79b1) ^ mixed(row.wrapping_add(0x85eb_ca6b)))))
     }
 
+    /// The numbers of a cell of a lattice in space.
+    #[inline]
+    #[must_use]
+    pub fn in_space(seed: u32, [x, y, z]: [i32; 3]) -> Self {
+        let deep = mixed((z as u32).wrapping_add(0x27d4_eb2f));
+        Self(mixed(seed ^ mixed((x as u32).wrapping_mul(0x9e37_79b1) ^ mixed((y as u32).wrapping_add(deep)))))
+    }
+
+    /// Its present bits.
+    #[inline]
+    #[must_use]
+    pub fn bits(self) -> u32 {
+        self.0
+    }
+
     /// The next number, 0 to below 1.
     #[inline]
     pub fn number(&mut self) -> f32 {

@@ -5,13 +5,15 @@ use super::noise::{Noise, Random, floor, part_seed, whole_cells, wrapped};
 use super::surfel::{Source, Surfel};
 
 /// The share of a scale's colour that is that of its centre; the rest is that of the px.
-const FROM_CENTRE: f32 = 0.8;
+pub(super) const FROM_CENTRE: f32 = 0.8;
 /// Radius of a fish scale ÷ the distance between two scales of a row.
-const RADIUS: f32 = 0.62;
+pub(super) const RADIUS: f32 = 0.62;
 /// Distance between two rows of fish scales ÷ that between two scales of a row.
-const ROW: f32 = 0.42;
+pub(super) const ROW: f32 = 0.42;
+/// Distance between two rings of growth ÷ radius.
+const RING: f32 = 0.11;
 /// Distance between two rows of reptile scales ÷ that between two scales of a row.
-const REPTILE_ROW: f32 = 0.78;
+pub(super) const REPTILE_ROW: f32 = 0.78;
 
 /// A lattice of scales in rows that are offset by half. Rows follow each other along the axis of the canvas that is the nearest to
 /// the flow, from head to tail.
@@ -92,9 +94,7 @@ pub(super) fn fish_surfel<'a>(source: &'a Source, size: f32) -> impl Fn([f32; 2]
     let rows = Rows::new(source, size, ROW);
     let grain = Noise::new(source.canvas, 0.12 * size.max(4.0), part_seed(source.seed, 33));
     let radius = RADIUS * rows.apart[0];
-    // Rings of growth are drawn where the picture can show them.
-    let ring = 0.11 * radius;
-    let rings = step(1.2, 2.4, ring * source.scale()[0]);
+    let rings = rings(radius, source.scale()[0]);
     move |point| {
         let local = rows.local(point);
         let row = floor(local[1] / rows.apart[1]);
@@ -111,25 +111,9 @@ pub(super) fn fish_surfel<'a>(source: &'a Source, size: f32) -> impl Fn([f32; 2]
         }
         let (to_centre, scale, distance) = found;
         let mut random = rows.random(scale);
-        let share = distance / radius;
-        let [red, green, blue, ink] = source.carried(point, rows.on_canvas(to_centre), radius, FROM_CENTRE);
-        // A plate that rises towards the tail, with a round rim.
-        let towards_tail = -to_centre[1] / radius;
-        let rim = step(0.84, 1.0, share);
-        let phase = (distance / ring).fract();
-        let groove = rings * 0.1 * (1.0 - 4.0 * (phase - 0.5) * (phase - 0.5)) * step(0.3, 0.6, share);
-        Surfel {
-            colour: [red, green, blue],
-            tint: (1.0 + 0.11 * random.signed())
-                * (1.0 - 0.5 * rim)
-                * (1.0 - groove)
-                * (1.0 + 0.05 * grain.at(point))
-                * (1.0 + 0.16 * step(0.5, 0.84, share)),
-            light: 1.0,
-            height: 0.16 * size * (1.0 + 0.9 * towards_tail - 0.5 * share * share - 0.7 * rim),
-            roughness: 0.25 + 0.1 * random.number() + 0.3 * rim,
-            ink,
-        }
+        let colour = source.carried(point, rows.on_canvas(to_centre), radius, FROM_CENTRE);
+        let plate = Plate { size, radius, rings };
+        plate.surfel([-to_centre[1], distance], &mut random, grain.at(point), colour)
     }
 }
 
@@ -172,21 +156,80 @@ pub(super) fn reptile_surfel<'a>(source: &'a Source, size: f32) -> impl Fn([f32;
         let mut random = rows.random(scale);
         let [red, green, blue, ink] =
             source.carried(point, rows.on_canvas(to_centre), 0.7 * size, FROM_CENTRE);
-        let [off, along] = [to_centre[0] / rows.apart[0], -to_centre[1] / rows.apart[1]];
-        let keel = (1.0 - 9.0 * off.abs()).max(0.0);
-        let gap = 1.0 - step(0.02, 0.09, edge);
-        let inside = (3.2 * edge).min(1.0);
-        let dome = inside * (2.0 - inside);
+        let place = [to_centre[0] / rows.apart[0], -to_centre[1] / rows.apart[1], edge];
+        keeled(size, place, &mut random, grain.at(point), [red, green, blue, ink])
+    }
+}
+
+/// How far rings of growth are drawn on a fish scale of this radius, px, 0..1: where a picture with `scale` px along each px can show
+/// them.
+pub(super) fn rings(radius: f32, scale: f32) -> f32 {
+    step(1.2, 2.4, RING * radius * scale)
+}
+
+/// A fish scale.
+pub(super) struct Plate {
+    /// Distance between two scales of a row, px.
+    pub size: f32,
+    /// Its radius, px.
+    pub radius: f32,
+    /// How far its rings are drawn, 0..1.
+    pub rings: f32,
+}
+
+impl Plate {
+    /// A place on it: its distance from the centre along the flow, and in any direction, px.
+    #[inline]
+    pub(super) fn surfel(
+        &self,
+        [along, distance]: [f32; 2],
+        random: &mut Random,
+        grain: f32,
+        [red, green, blue, ink]: [f32; 4],
+    ) -> Surfel {
+        let share = distance / self.radius;
+        // A plate that rises towards the tail, with a round rim.
+        let towards_tail = along / self.radius;
+        let rim = step(0.84, 1.0, share);
+        let phase = (distance / (RING * self.radius)).fract();
+        let groove = self.rings * 0.1 * (1.0 - 4.0 * (phase - 0.5) * (phase - 0.5)) * step(0.3, 0.6, share);
         Surfel {
             colour: [red, green, blue],
-            tint: (1.0 + 0.12 * random.signed())
-                * (1.0 - 0.62 * gap)
-                * (0.97 + 0.06 * along)
-                * (1.0 + 0.07 * grain.at(point)),
+            tint: (1.0 + 0.11 * random.signed())
+                * (1.0 - 0.5 * rim)
+                * (1.0 - groove)
+                * (1.0 + 0.05 * grain)
+                * (1.0 + 0.16 * step(0.5, 0.84, share)),
             light: 1.0,
-            height: size * (0.11 * dome + 0.035 * keel * dome + 0.06 * along + 0.006 * grain.at(point)),
-            roughness: 0.4 + 0.15 * random.number() + 0.3 * gap,
+            height: 0.16 * self.size * (1.0 + 0.9 * towards_tail - 0.5 * share * share - 0.7 * rim),
+            roughness: 0.25 + 0.1 * random.number() + 0.3 * rim,
             ink,
         }
+    }
+}
+
+/// A place on a keeled scale `size` px wide: from its centre across the flow and along it, and from its edge, in widths of a scale.
+#[inline]
+pub(super) fn keeled(
+    size: f32,
+    [off, along, edge]: [f32; 3],
+    random: &mut Random,
+    grain: f32,
+    [red, green, blue, ink]: [f32; 4],
+) -> Surfel {
+    let keel = (1.0 - 9.0 * off.abs()).max(0.0);
+    let gap = 1.0 - step(0.02, 0.09, edge);
+    let inside = (3.2 * edge).min(1.0);
+    let dome = inside * (2.0 - inside);
+    Surfel {
+        colour: [red, green, blue],
+        tint: (1.0 + 0.12 * random.signed())
+            * (1.0 - 0.62 * gap)
+            * (0.97 + 0.06 * along)
+            * (1.0 + 0.07 * grain),
+        light: 1.0,
+        height: size * (0.11 * dome + 0.035 * keel * dome + 0.06 * along + 0.006 * grain),
+        roughness: 0.4 + 0.15 * random.number() + 0.3 * gap,
+        ink,
     }
 }

@@ -9,9 +9,9 @@ use super::surfel::{Source, Surfel};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Hide {
     /// The share of a grain's colour that is that of its centre.
-    from_centre: f32,
+    pub from_centre: f32,
     /// Irregularity of the grains, 0..1.
-    jitter: f32,
+    pub jitter: f32,
     /// Half the width of a crease ÷ size of a grain.
     crease: f32,
     /// Height of a grain ÷ its size.
@@ -82,29 +82,48 @@ pub(super) fn surfel<'a>(
         let bent = [0, 1].map(|axis| point[axis] + 0.09 * size * bend[axis].at(point));
         let (grain, small) = (grains.at(bent), fine.at(bent));
         let [red, green, blue, ink] = source.carried(point, grain.to_point, 0.8 * size, hide.from_centre);
+        let noises = [folds.at(point), pores.at(point)];
+        hide.surfel(size, [grain.edge, small.edge, grain.random], noises, [red, green, blue, ink])
+    }
+}
+
+impl Hide {
+    /// The lowest and the highest height of grains of `size` px.
+    pub(super) fn heights(&self, size: f32) -> [f32; 2] {
+        [-0.14, self.dome + 0.06 + 0.04 * self.fine + 0.14].map(|share| share * size)
+    }
+
+    /// A place in a grain of `size` px: distances of the nearest edges of the grain and of the small one in it, px, and a random number
+    /// of the grain; noise of folds and of pores; colour and share of ink.
+    #[inline]
+    pub(super) fn surfel(
+        &self,
+        size: f32,
+        [edge, small_edge, random]: [f32; 3],
+        [fold, pore]: [f32; 2],
+        [red, green, blue, ink]: [f32; 4],
+    ) -> Surfel {
         let depth = |edge: f32, width: f32| {
             let t = (edge / width).min(1.0);
             t * t * (3.0 - 2.0 * t)
         };
-        let fold = folds.at(point);
-        let open = depth(grain.edge, hide.crease * size * (1.0 + 0.6 * fold));
-        let little = depth(small.edge, 0.5 * hide.crease * size);
-        let inside = (grain.edge / (0.4 * size)).min(1.0);
-        let pore = pores.at(point);
+        let open = depth(edge, self.crease * size * (1.0 + 0.6 * fold));
+        let little = depth(small_edge, 0.5 * self.crease * size);
+        let inside = (edge / (0.4 * size)).min(1.0);
         Surfel {
             colour: [red, green, blue],
-            tint: (1.0 + hide.tint * (2.0 * grain.random - 1.0) + 0.04 * fold)
+            tint: (1.0 + self.tint * (2.0 * random - 1.0) + 0.04 * fold)
                 * (0.5 + 0.5 * open)
-                * (1.0 - 0.18 * hide.fine * (1.0 - little))
+                * (1.0 - 0.18 * self.fine * (1.0 - little))
                 * (1.0 + 0.035 * pore),
             light: 1.0,
             height: size
-                * (hide.dome * inside * (2.0 - inside)
+                * (self.dome * inside * (2.0 - inside)
                     + 0.06 * open
-                    + 0.04 * hide.fine * little
+                    + 0.04 * self.fine * little
                     + 0.008 * pore)
                 + 0.1 * size * fold,
-            roughness: hide.roughness + 0.2 * (1.0 - open) + 0.05 * pore,
+            roughness: self.roughness + 0.2 * (1.0 - open) + 0.05 * pore,
             ink,
         }
     }

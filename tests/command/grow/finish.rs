@@ -138,11 +138,11 @@ fn without_a_relief_marks_are_as_high_as_the_finish_wants() {
 fn what_a_finish_cannot_do_is_refused_or_said() {
     let folder = Folder::with(&with_finish(tile(), "fur"));
     folder.refuses("grow a.dapple -o a.png --transparent", 2, &["--transparent", "finish fur"]);
-    let mut body = with_finish(spots(), "fur");
-    body["version"] = json!(2);
-    body["model"] = json!({"file": "sphere"});
-    folder.write("b.dapple", &body.to_string());
-    folder.refuses("grow b.dapple -o b.png", 1, &["finish", "without \"model\""]);
+    let mut map = with_finish(spots(), "fur");
+    map["version"] = json!(2);
+    map["model"] = json!({"height": "hills.png", "scale": 40});
+    folder.write("b.dapple", &map.to_string());
+    folder.refuses("grow b.dapple -o b.png", 1, &["finish", "would be stretched", "without \"model\""]);
 }
 
 #[test]

@@ -4,6 +4,7 @@ mod agreement;
 mod around;
 mod attributes;
 mod body;
+mod body_finish;
 mod bytes;
 mod cells;
 mod coat_shapes;

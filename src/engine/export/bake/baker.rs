@@ -5,10 +5,10 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::atlas::Atlas;
+use super::fields::Fields;
 use super::texels::{Flat, Texels};
-use crate::export::body::curved::{Cubic, slopes};
 use crate::export::body::vector::{Vector, cross, dot, minus, plus, unit};
-use crate::surface::{Mesh, Surface};
+use crate::surface::{Mesh, Surface, SurfacePoint};
 
 /// How far a texel of the gutter may lie from its triangle in space, in lengths that this distance has on the surface on average: a
 /// sliver's plane is not followed far.
@@ -21,16 +21,10 @@ pub struct Baker<'a> {
     surface: &'a Surface,
     /// The triangles of the atlas in the coordinates of the surface.
     mesh: Mesh,
-    layers: Vec<Layer>,
+    layers: Fields<'a>,
     open: Vec<f32>,
     /// The mean side of a texel on the surface.
     side: f64,
-}
-
-/// A field of values by vertex of the surface.
-struct Layer {
-    values: Vec<f32>,
-    slopes: Vec<Vector>,
 }
 
 /// Some rows of a texture. Texels that are far from all triangles have the values 0, no slope and an open sky.
@@ -40,6 +34,8 @@ pub struct Baked {
     pub values: Vec<Vec<f32>>,
     /// The share of the sky that is seen.
     pub open: Vec<f32>,
+    /// The place on the surface that each texel shows.
+    pub places: Vec<Option<SurfacePoint>>,
     /// By layer, how steep the values are, a unit of length of the surface.
     slopes: Vec<Vec<Vector>>,
     frames: Vec<Option<Frame>>,
@@ -47,19 +43,28 @@ pub struct Baked {
 
 impl Baked {
     /// The normals of a relief in tangent space: x along u, y along v, upwards in the picture, z out of the surface. `rises`, by
-    /// layer: how much higher the relief is for a value that is greater by 1, in units of length of the surface.
+    /// layer: how much higher the relief is for a value that is greater by 1, in units of length of the surface. `more` is how much
+    /// steeper it is besides, by texel; nowhere if it is empty.
     #[must_use]
-    pub fn normals(&self, rises: &[Vec<f32>]) -> Vec<[f32; 3]> {
+    pub fn normals(&self, rises: &[Vec<f32>], more: &[[f64; 3]]) -> Vec<[f32; 3]> {
         let of_texel = |(texel, frame): (usize, &Option<Frame>)| {
             let Some(frame) = frame else { return [0.0, 0.0, 1.0] };
             let slope = self
                 .slopes
                 .iter()
                 .zip(rises)
-                .fold([0.0; 3], |sum, (slopes, rises)| plus(sum, f64::from(rises[texel]), slopes[texel]));
+                .fold(more.get(texel).copied().unwrap_or_default(), |sum, (slopes, rises)| {
+                    plus(sum, f64::from(rises[texel]), slopes[texel])
+                });
             frame.normal(slope)
         };
         self.frames.par_iter().enumerate().map(of_texel).collect()
+    }
+
+    /// A direction along the surface in tangent space: x along u, y along v; of length 1, or 0 where there is none.
+    #[must_use]
+    pub fn in_tangent_space(&self, texel: usize, direction: [f64; 3]) -> [f32; 2] {
+        self.frames[texel].map_or([0.0; 2], |frame| frame.direction(direction))
     }
 }
 
@@ -68,6 +73,7 @@ struct Texel {
     values: Vec<f32>,
     slopes: Vec<Vector>,
     open: f32,
+    place: Option<SurfacePoint>,
     frame: Option<Frame>,
 }
 
@@ -85,8 +91,6 @@ impl<'a> Baker<'a> {
     ) -> Self {
         let positions = atlas.mesh.positions.iter().map(|at| to_surface(*at)).collect();
         let mesh = Mesh { positions, faces: atlas.mesh.faces.clone() };
-        let layer =
-            |values: &&[f32]| Layer { values: values.to_vec(), slopes: slopes(&surface.mesh, values) };
         let in_picture: f64 = (0..mesh.faces.len())
             .map(|face| {
                 let [a, b, c] = atlas.in_picture(face, texels.size);
@@ -94,13 +98,19 @@ impl<'a> Baker<'a> {
             })
             .sum();
         let side = (mesh.area() / in_picture.max(f64::MIN_POSITIVE)).sqrt();
-        Self { atlas, texels, surface, mesh, layers: layers.iter().map(layer).collect(), open, side }
+        Self { atlas, texels, surface, mesh, layers: Fields::new(surface, layers), open, side }
     }
 
     /// Width and height, texels.
     #[must_use]
     pub fn size(&self) -> [usize; 2] {
         self.texels.size
+    }
+
+    /// Texels along each unit of length of the surface, in the mean.
+    #[must_use]
+    pub fn scale(&self) -> f64 {
+        1.0 / self.side
     }
 
     /// The texels of some rows.
@@ -110,43 +120,33 @@ impl<'a> Baker<'a> {
         let texels: Vec<Texel> =
             (rows.start * width..rows.end * width).into_par_iter().map(|texel| self.texel(texel)).collect();
         Baked {
-            values: (0..self.layers.len())
+            values: (0..self.layers.count())
                 .map(|layer| texels.iter().map(|texel| texel.values[layer]).collect())
                 .collect(),
-            slopes: (0..self.layers.len())
+            slopes: (0..self.layers.count())
                 .map(|layer| texels.iter().map(|texel| texel.slopes[layer]).collect())
                 .collect(),
             open: texels.iter().map(|texel| texel.open).collect(),
+            places: texels.iter().map(|texel| texel.place).collect(),
             frames: texels.iter().map(|texel| texel.frame).collect(),
         }
     }
 
     fn texel(&self, texel: usize) -> Texel {
         let Some((face, shares, place)) = self.place(texel) else {
-            let count = self.layers.len();
-            return Texel { values: vec![0.0; count], slopes: vec![[0.0; 3]; count], open: 1.0, frame: None };
+            let count = self.layers.count();
+            let (values, slopes) = (vec![0.0; count], vec![[0.0; 3]; count]);
+            return Texel { values, slopes, open: 1.0, place: None, frame: None };
         };
         let normal = self.mesh.area_vector(face);
         let found = self.surface.closest_facing(place, normal);
         let vertices = self.surface.mesh.faces[found.face as usize].map(|vertex| vertex as usize);
-        let places = self.surface.mesh.corners(found.face as usize);
         let within = found.shares();
-        let values = self.layers.iter().map(|layer| {
-            let cubic = Cubic::new(
-                places,
-                vertices.map(|vertex| layer.values[vertex]),
-                vertices.map(|vertex| layer.slopes[vertex]),
-            );
-            cubic.at(within.map(|share| share as f32))
-        });
-        let slopes = self
-            .layers
-            .iter()
-            .map(|layer| (0..3).fold([0.0; 3], |sum, at| plus(sum, within[at], layer.slopes[vertices[at]])));
         Texel {
-            values: values.collect(),
-            slopes: slopes.collect(),
+            values: self.layers.values(found),
+            slopes: self.layers.slopes(found),
             open: (0..3).map(|at| within[at] as f32 * self.open[vertices[at]]).sum(),
+            place: Some(found),
             frame: Some(self.frame(face, shares)),
         }
     }
@@ -192,6 +192,14 @@ struct Frame {
 }
 
 impl Frame {
+    /// A direction of the surface along tangent and bitangent, of length 1.
+    fn direction(&self, along: Vector) -> [f32; 2] {
+        let bitangent = cross(self.normal, self.tangent).map(|part| self.sign * part);
+        let [x, y] = [self.tangent, bitangent].map(|axis| dot(along, unit(axis)));
+        let length = (x * x + y * y).sqrt();
+        if length > 0.0 { [x, y].map(|part| (part / length) as f32) } else { [0.0; 2] }
+    }
+
     /// The normal in tangent space that becomes, in a shader, the normal of the surface minus this slope of a relief: the inverse of
     /// what it computes (Mikkelsen 2008).
     fn normal(&self, slope: Vector) -> [f32; 3] {

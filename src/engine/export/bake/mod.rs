@@ -11,6 +11,7 @@
 mod atlas;
 mod baker;
 mod corners;
+mod fields;
 mod islands;
 mod openness;
 mod own;
@@ -22,6 +23,7 @@ mod unwrap;
 
 pub use atlas::Atlas;
 pub use baker::{Baked, Baker};
+pub use fields::Fields;
 pub use openness::openness;
 pub use own::{Unfit, own};
 pub use texels::Texels;

@@ -163,7 +163,7 @@ fn a_slope_makes_the_normals_of_its_gradient_in_the_directions_of_the_texture() 
         let texels = Texels::new(&atlas, [32; 2], 2);
         let baker = Baker::new(&atlas, texels, &surface, &|at| at.map(|part| 100.0 * part), &[&rising], open);
         let baked = baker.rows(8..24);
-        let normals = baked.normals(&[vec![50.0; 16 * 32]]);
+        let normals = baked.normals(&[vec![50.0; 16 * 32]], &[]);
         let length = (0.25_f32 + 0.0625 + 1.0).sqrt();
         let right = if is_mirrored { 0.5 } else { -0.5 };
         for (texel, normal) in normals.iter().enumerate().filter(|(texel, _)| (4..28).contains(&(texel % 32)))
@@ -191,7 +191,7 @@ fn a_shader_that_reads_the_normals_finds_those_of_the_relief_on_a_ball() {
     let open = vec![1.0; values.len()];
     let size = [256, 128];
     let baker = Baker::new(&atlas, Texels::new(&atlas, size, 2), &surface, &|at| at, &[&values], open);
-    let normals = baker.rows(0..128).normals(&[vec![1.0; 256 * 128]]);
+    let normals = baker.rows(0..128).normals(&[vec![1.0; 256 * 128]], &[]);
     let mut worst: f64 = 0.0;
     for face in 0..atlas.mesh.faces.len() {
         // The middle of each triangle, as a shader sees it.
@@ -238,7 +238,7 @@ fn a_texture_has_the_same_bits_on_any_number_of_threads() {
             let baker =
                 Baker::new(&atlas, Texels::new(&atlas, [96; 2], 3), &surface, &|at| at, &[&values], open);
             let baked = baker.rows(0..96);
-            let normals = baked.normals(&[vec![0.1; 96 * 96]]);
+            let normals = baked.normals(&[vec![0.1; 96 * 96]], &[]);
             (baked.values, baked.open, normals)
         })
     };

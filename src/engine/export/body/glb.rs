@@ -9,6 +9,8 @@ use super::skin::{Skin, SkinPicture};
 use super::vector::unit;
 use crate::export::Stopped;
 
+/// The extension of materials whose reflections have a direction.
+const ANISOTROPY: &str = "KHR_materials_anisotropy";
 /// The component type of 32-bit floats, and that of 32-bit indices.
 const FLOAT: u32 = 5126;
 const INDEX: u32 = 5125;
@@ -197,6 +199,9 @@ impl File {
                 root["buffers"][0]["uri"] = json!(name);
             }
         }
+        if self.is_anisotropic() {
+            root["extensionsUsed"] = json!([ANISOTROPY]);
+        }
         if !self.materials.is_empty() {
             root["materials"] = self.materials.iter().map(|name| self.described(name)).collect();
         }
@@ -212,7 +217,8 @@ impl File {
 
     /// A material: the pictures of the skin, or a rough white.
     fn described(&self, name: &str) -> Value {
-        match &self.skinned {
+        let is_skinned = self.skinned.as_ref().is_some_and(|(skinned, _)| skinned == name);
+        let mut described = match &self.skinned {
             Some((skinned, transparent)) if skinned == name => json!({
                 "name": name,
                 "pbrMetallicRoughness": {
@@ -226,7 +232,17 @@ impl File {
             _ => {
                 json!({"name": name, "pbrMetallicRoughness": {"metallicFactor": 0.0, "roughnessFactor": 0.8}})
             }
+        };
+        if is_skinned && self.is_anisotropic() {
+            described["extensions"][ANISOTROPY] =
+                json!({"anisotropyStrength": 1.0, "anisotropyTexture": {"index": 3}});
         }
+        described
+    }
+
+    /// Whether the skin has a picture of the direction of reflections, the fourth.
+    fn is_anisotropic(&self) -> bool {
+        self.images.len() > 3
     }
 }
 
@@ -323,6 +339,7 @@ mod tests {
             base_colour: SkinPicture::Inside(&png),
             normal: SkinPicture::Inside(&png),
             orm: SkinPicture::Inside(&png),
+            anisotropy: None,
             transparent: true,
         };
         let mut bytes = Vec::new();

@@ -66,6 +66,11 @@ impl Lights {
         self.sum(normal, &(0..SKY + KEY), |map| map.reaches(place))
     }
 
+    /// The light on a normal without shadows.
+    pub fn free(&self, normal: Vector) -> f64 {
+        self.sum(normal, &(0..SKY + KEY), |_| 1.0)
+    }
+
     /// The key light on a place of the floor.
     pub fn key_on_floor(&self, place: Vector) -> f64 {
         self.sum([0.0, 1.0, 0.0], &(SKY..SKY + KEY), |map| map.reaches(place))

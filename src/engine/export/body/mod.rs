@@ -32,7 +32,7 @@ pub use glb::{glb, gltf, textured_glb};
 pub use mips::Mips;
 pub use normals::normals;
 pub use obj::{mtl, obj};
-pub use paint::{Coloured, Paint, Painted};
+pub use paint::{Coloured, Look, Paint, Painted};
 pub use ply::ply;
 pub use skin::{Skin, SkinPicture};
 pub use smooth::Smooth;

@@ -138,6 +138,7 @@ mod tests {
             base_colour: SkinPicture::Beside("c.png"),
             normal: SkinPicture::Beside("n.png"),
             orm: SkinPicture::Beside("o.png"),
+            anisotropy: None,
             transparent: false,
         };
         let mut bytes = Vec::new();

@@ -33,6 +33,8 @@ pub enum Paint<'a> {
     },
     /// Colours by vertex, blurred as much as a px needs: of a model that is far away.
     Blurred(&'a Blurred),
+    /// A look that is computed for single places.
+    Look(&'a dyn Look),
     /// A picture on texture coordinates.
     Texture {
         /// By vertex, from the lower left corner.
@@ -42,12 +44,20 @@ pub enum Paint<'a> {
     },
 }
 
+/// What a surface looks like, place by place.
+pub trait Look: Sync {
+    /// Colour, linear light, and slope of a relief at a place, which the shares of the corners of a triangle give: a tangent vector along
+    /// which it rises, px a px. What is seen as one is `px` long.
+    fn at(&self, triangle: usize, shares: [f64; 3], px: f64) -> ([f32; 3], Vector);
+}
+
 impl std::fmt::Debug for Paint<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Plain(colour) => f.debug_tuple("Plain").field(colour).finish(),
             Self::Colours(colours) => f.debug_tuple("Colours").field(&colours.len()).finish(),
             Self::Blurred(_) => f.debug_tuple("Blurred").finish_non_exhaustive(),
+            Self::Look(_) => f.debug_tuple("Look").finish_non_exhaustive(),
             Self::Texture { mips, .. } => f.debug_struct("Texture").field("size", &mips.size()).finish(),
             Self::Pattern { fields, .. } => {
                 f.debug_struct("Pattern").field("fields", &fields.len()).finish_non_exhaustive()

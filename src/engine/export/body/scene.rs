@@ -9,7 +9,7 @@ use super::camera::{Camera, View};
 use super::curved::{Cubic, slopes};
 use super::floor::Floor;
 use super::light::Lights;
-use super::paint::{Paint, Painted};
+use super::paint::{Look, Paint, Painted};
 use super::raster::{Corners, Plane};
 use super::shadow::Sphere;
 use super::vector::{Vector, cross, dot, minus, plus, unit};
@@ -22,6 +22,11 @@ const SHARP: f64 = 0.8;
 const SMALL: f64 = 400.0;
 /// The least cosine between a normal and the way to the viewer with which a blur is reckoned: what is seen more aslant is a rim.
 const SLANTING: f64 = 0.2;
+/// All samples of a px, and four of them, one in each row and each column.
+const ALL: usize = SAMPLES * SAMPLES;
+const LOOKED: [usize; 4] = [1, 7, 8, 14];
+/// The least and the greatest change of the light by a relief.
+const RELIEF: [f64; 2] = [0.35, 1.6];
 /// The largest number of fields of a pattern; further ones are not read.
 const MOST_FIELDS: usize = 8;
 
@@ -100,7 +105,11 @@ impl<'a> Scene<'a> {
         let seen = places.iter().map(seen).collect();
         let slopes = parts.par_iter().map(|part| match part.paint {
             Paint::Pattern { fields, .. } => fields.iter().map(|values| slopes(part.mesh, values)).collect(),
-            Paint::Plain(_) | Paint::Colours(_) | Paint::Blurred(_) | Paint::Texture { .. } => Vec::new(),
+            Paint::Plain(_)
+            | Paint::Colours(_)
+            | Paint::Blurred(_)
+            | Paint::Look(_)
+            | Paint::Texture { .. } => Vec::new(),
         });
         let slopes = slopes.collect();
         Self { parts, view, camera, lights, starts, places, triangles, normals, seen, slopes, light, floor }
@@ -130,6 +139,7 @@ impl<'a> Scene<'a> {
                 let deviation = OF_A_PX * self.footprint(triangle, shares);
                 blurred.at(vertices, shares, deviation).map(|light| count * f64::from(light))
             }
+            Paint::Look(look) => return Some(self.looked(part, triangle, &seen, samples, look)),
             Paint::Texture { uvs, mips } => {
                 let corners = vertices.map(|vertex| uvs[vertex]);
                 let uv = [0, 1].map(|axis| (0..3).map(|at| shares[at] * corners[at][axis]).sum::<f64>());
@@ -155,6 +165,42 @@ impl<'a> Scene<'a> {
         };
         let light = self.light(triangle, shares);
         Some(colour.map(|value| value * light))
+    }
+
+    /// The sum of the light of some samples of a triangle whose look is computed: at four of the samples of a px, for a quarter of it.
+    fn looked(
+        &self,
+        part: usize,
+        triangle: usize,
+        seen: &Seen,
+        samples: &[[f64; 2]],
+        look: &dyn Look,
+    ) -> [f64; 3] {
+        let count = samples.len().min(LOOKED.len());
+        let chosen = |index: usize| match samples.len() {
+            ALL => LOOKED[index],
+            several => index * several / count,
+        };
+        let own = triangle - self.starts[part][0];
+        let mut sum = [0.0; 3];
+        for index in 0..count {
+            let shares = seen.shares(samples[chosen(index)]);
+            let depth: f64 = (0..3).map(|at| shares[at] / seen.near[at]).sum();
+            // Four looks share a px.
+            let (colour, slope) = look.at(own, shares, 0.5 * self.camera.px(1.0 / depth));
+            let light = self.light(triangle, shares) * self.relief(triangle, shares, slope);
+            sum = [0, 1, 2].map(|channel| sum[channel] + light * f64::from(colour[channel]));
+        }
+        sum.map(|light| light * samples.len() as f64 / count as f64)
+    }
+
+    /// How many times as much light a relief of this slope gets as a surface without.
+    fn relief(&self, triangle: usize, shares: [f64; 3], slope: Vector) -> f64 {
+        let normals = self.triangles[triangle].map(|vertex| self.normals[vertex]);
+        let normal = unit((0..3).fold([0.0; 3], |sum, at| plus(sum, shares[at], normals[at])));
+        let free = self.lights.free(normal);
+        let raised = self.lights.free(unit(minus(normal, slope)));
+        if free > 0.0 { (raised / free).clamp(RELIEF[0], RELIEF[1]) } else { 1.0 }
     }
 
     /// The values of the fields on a triangle.

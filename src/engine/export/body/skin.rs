@@ -20,14 +20,16 @@ pub struct Skin<'a> {
     pub normal: SkinPicture<'a>,
     /// Occlusion in red, roughness in green, metalness in blue.
     pub orm: SkinPicture<'a>,
+    /// The direction of reflections, if they have one (KHR_materials_anisotropy).
+    pub anisotropy: Option<SkinPicture<'a>>,
     /// Whether any colour is transparent.
     pub transparent: bool,
 }
 
 impl<'a> Skin<'a> {
-    /// Its pictures: colours, normals, occlusion with roughness and metalness.
+    /// Its pictures: colours, normals, occlusion with roughness and metalness, and if there is one the direction of reflections.
     #[must_use]
-    pub fn pictures(&self) -> [SkinPicture<'a>; 3] {
-        [self.base_colour, self.normal, self.orm]
+    pub fn pictures(&self) -> Vec<SkinPicture<'a>> {
+        [self.base_colour, self.normal, self.orm].into_iter().chain(self.anisotropy).collect()
     }
 }

@@ -45,7 +45,8 @@ pub fn describe(
         .map(|asked| cell(document, asked, training).map_err(in_layer))
         .collect::<Result<_, GrowError>>()?;
     let area = placed.mesh.area();
-    let refusal = needs::check(area, &cells, options).err().map(in_layer);
+    let finish = document.finish.as_ref().map(|finishing| finishing.finish);
+    let refusal = needs::check(area, &cells, finish, options).err().map(in_layer);
     let name = body.source.name();
     let mut text =
         format!("model:   {name}, {} px along its longest side, {area:.0} px² to grow on\n", body.px);

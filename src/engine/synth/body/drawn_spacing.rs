@@ -30,7 +30,7 @@ pub fn drawn_spacing(
     // Distances need no finer cells than the smallest mark.
     let smallest = marks.iter().map(|mark| mark.radii[0] * mark.radii[1]).fold(f64::INFINITY, f64::min);
     let cell = smallest.sqrt();
-    needs::check(placed.mesh.area(), &[cell], options)?;
+    needs::check(placed.mesh.area(), &[cell], None, options)?;
     let mut remeshed = Remeshed::begin(placed, cell);
     while remeshed.advance() {}
     let [_, surface] = remeshed.surfaces(body);

@@ -142,7 +142,8 @@ impl<'a> BodyGrowth<'a> {
             State::Read => State::Check(Box::new(self.read()?)),
             State::Check(model) => {
                 let area = model.placed.mesh.area();
-                needs::check(area, &model.cells, &self.options)?;
+                let finish = self.document.finish.as_ref().map(|finishing| finishing.finish);
+                needs::check(area, &model.cells, finish, &self.options)?;
                 self.seconds = Some(needs::seconds(needs::vertices(area, &model.cells)));
                 remesh(model)
             }

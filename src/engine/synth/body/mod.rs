@@ -22,6 +22,8 @@ mod describe;
 mod direction_report;
 mod displaced;
 mod drawn_spacing;
+mod finished;
+mod flow;
 mod given_directions;
 mod got;
 mod grown;

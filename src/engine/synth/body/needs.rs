@@ -1,5 +1,6 @@
 //! What a growth on a model needs, known before the model is remeshed.
 
+use crate::finish::Finish;
 use crate::synth::error::{LayerError, TooFine};
 use crate::synth::memory;
 use crate::synth::options::Options;
@@ -26,15 +27,19 @@ pub fn seconds(vertices: f64) -> f64 {
 }
 
 /// Checks that a growth on surfaces of `area` px², one a layer with cells of these px, fits into memory and time. A surface may take as long as a
-/// canvas of its area, and any one two minutes: cells follow the finest marks, whatever the area.
+/// canvas of its area, and any one two minutes: cells follow the finest marks, whatever the area. A finish that is drawn later counts.
 ///
 /// # Errors
 /// It does not: the numbers, and what to change.
-pub fn check(area: f64, cells: &[f64], options: &Options) -> Result<(), LayerError> {
+pub fn check(area: f64, cells: &[f64], finish: Option<Finish>, options: &Options) -> Result<(), LayerError> {
     let vertices = vertices(area, cells);
     let needed = memory::BASE + VERTEX * vertices;
     if let Some(free) = options.memory.filter(|free| needed > *free) {
         return Err(TooFine::Memory { vertices, needed, free }.into());
+    }
+    let needed = needed + finish.map_or(0.0, |finish| area * finish.bytes_of_surface());
+    if let Some(free) = options.memory.filter(|free| needed > *free) {
+        return Err(TooFine::Finish { needed, free }.into());
     }
     let canvas = options.time.seconds([area.sqrt(); 2]);
     let allowed = if options.time == TimeLimit::Usual { canvas.max(LEAST) } else { canvas };
@@ -45,14 +50,18 @@ pub fn check(area: f64, cells: &[f64], options: &Options) -> Result<(), LayerErr
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::finish::Kind;
 
     #[test]
     fn a_surface_with_too_many_vertices_is_refused_before_it_is_made() {
         let options = Options { memory: Some(1e9), time: TimeLimit::Usual, ..Options::default() };
-        assert!(check(1e6, &[6.0], &options).is_ok());
-        let error = check(1e6, &[0.5], &options).unwrap_err().to_string();
+        assert!(check(1e6, &[6.0], None, &options).is_ok());
+        let fur = Finish { size: 2.0, ..Finish::new(Kind::Fur) };
+        let error = check(1e6, &[6.0], Some(fur), &options).unwrap_err().to_string();
+        assert!(error.contains("the finish needs about"), "{error}");
+        let error = check(1e6, &[0.5], None, &options).unwrap_err().to_string();
         assert!(error.contains("about 4000000 vertices need about 10.1 GB of memory, 1.0 GB"), "{error}");
-        let error = check(1e6, &[0.5], &Options { memory: None, ..options }).unwrap_err().to_string();
+        let error = check(1e6, &[0.5], None, &Options { memory: None, ..options }).unwrap_err().to_string();
         assert!(
             error.contains("vertices take about 15 min of one core") && error.ends_with("--minutes 17"),
             "{error}"

@@ -3,10 +3,13 @@
 use std::io::Write;
 use std::ops::Range;
 
+use rayon::prelude::*;
+
 use crate::export::bake::{Atlas, Baked, Baker, Texels, Unfit, automatic, openness, own};
-use crate::export::maps::{Green, Surface, encoded, shares};
+use crate::export::maps::{Green, Surface, encoded, share_of, shares};
 use crate::export::material::{Failed, Map, Set, id_colour, write_some};
 use crate::export::{Stopped, srgb_from_linear};
+use crate::finish::body::{Finished, SurfaceFinish};
 use crate::grid::to_u16;
 use crate::synth::body::coat::Coat;
 use crate::synth::body::grown::GrownBody;
@@ -16,8 +19,10 @@ use crate::synth::watch::{Stage, Watch};
 
 /// Texels of a band: enough for all threads.
 const BAND: usize = 1 << 18;
+/// How many times as long a texel with a finish takes as one without: bands are shorter, so that it can be cancelled.
+const SLOWER: usize = 4;
 /// Bytes that a texel of a band takes while it is computed, and one of the picture.
-const HELD: [f64; 2] = [400.0, 5.0];
+const HELD: [f64; 2] = [500.0, 5.0];
 /// The width of the gutter, as a share of the side: smaller copies mix it with what is beside it.
 const GUTTER: f64 = 1.0 / 64.0;
 /// How far, in heights of the relief, a mark still shades its surroundings, as on a canvas.
@@ -67,6 +72,10 @@ pub struct Texture<'a> {
     coat: Coat,
     /// The layers whose marks have a relief: those that are seen.
     raised: Vec<usize>,
+    /// The finish of the document.
+    finish: Option<SurfaceFinish<'a>>,
+    /// How far reflections are stretched, of 255; `None` if they have no direction.
+    stretch: Option<u8>,
 }
 
 impl GrownBody {
@@ -105,9 +114,15 @@ impl GrownBody {
         move |part| !others.contains(&part)
     }
 
-    /// A texture of this size, texels. Heights of the relief are px of the sketch.
+    /// A texture of this size, texels. Heights of the relief are px of the sketch. If it is cancelled, so is writing it.
     #[must_use]
-    pub fn texture<'a>(&'a self, atlas: &'a Atlas, size: [usize; 2], surface: &Surface) -> Texture<'a> {
+    pub fn texture<'a>(
+        &'a self,
+        atlas: &'a Atlas,
+        size: [usize; 2],
+        surface: &Surface,
+        watch: &Watch,
+    ) -> Texture<'a> {
         let grown = self.finest().plan.surface();
         let patterns = self.painted();
         let raised = self.raised();
@@ -124,7 +139,15 @@ impl GrownBody {
         let scale = self.placed.scale;
         let layers: Vec<&[f32]> = patterns.iter().map(Vec::as_slice).collect();
         let baker = Baker::new(atlas, texels, grown, &move |at| scale.to_px(at), &layers, open);
-        Texture { baker, surface: surface.clone(), coat: Coat::new(&self.document), raised }
+        let finishing = self.document.finish.as_ref();
+        Texture {
+            baker,
+            surface: surface.clone(),
+            coat: Coat::new(&self.document),
+            raised,
+            finish: self.finish(watch),
+            stretch: finishing.and_then(|finishing| finishing.finish.kind.stretch()),
+        }
     }
 }
 
@@ -134,6 +157,12 @@ pub(super) fn chosen(patterns: &[Vec<f32>], layers: &[usize]) -> Vec<Vec<f32>> {
 }
 
 impl Texture<'_> {
+    /// Whether reflections of it have a direction: those of hair.
+    #[must_use]
+    pub fn is_anisotropic(&self) -> bool {
+        self.stretch.is_some()
+    }
+
     /// Bytes held while a texture of this size is written.
     #[must_use]
     pub fn held([width, height]: [usize; 2]) -> f64 {
@@ -153,7 +182,8 @@ impl Texture<'_> {
         watch: &Watch,
     ) -> Result<(), Failed> {
         let [width, height] = set.size;
-        write_some(outputs, set, maps, (BAND / width.max(1)).max(1), |rows, bands| {
+        let texels = if self.finish.is_some() { BAND / SLOWER } else { BAND };
+        write_some(outputs, set, maps, (texels / width.max(1)).max(1), |rows, bands| {
             watch.step(Stage::Write, rows.start as f64 / height as f64).map_err(|_| Stopped::Cancelled)?;
             self.band(rows, set, maps, bands);
             Ok(())
@@ -176,19 +206,31 @@ impl Texture<'_> {
         for (layer, rise) in self.raised.iter().zip(self.rises(&seen)) {
             rises[*layer] = rise;
         }
-        let normals = baked.normals(&rises);
+        let finished = self.finished(&baked);
+        let steeper: Vec<[f64; 3]> =
+            finished.iter().map(|texel| texel.map_or([0.0; 3], |texel| texel.slope)).collect();
+        let normals = baked.normals(&rises, &steeper);
         let mut shared = seen;
         shares(&mut shared);
         let is_flat = shared.is_empty();
         let ground = self.surface.roughness.first().copied().unwrap_or(1.0) as f32;
-        Relief {
-            layers: shared.len(),
+        let mut relief = Relief {
             heights: if is_flat { vec![0.0; texels] } else { self.surface.height(&shared) },
             roughness: if is_flat { vec![ground; texels] } else { self.surface.roughness(&shared) },
+            range: self.surface.range(shared.len()),
             normals,
-            values: baked.values,
-            open: baked.open,
-        }
+            finished,
+            baked,
+        };
+        relief.finish(self.finish.as_ref().map_or([0.0; 2], SurfaceFinish::heights));
+        relief
+    }
+
+    /// The finish of the texels; nothing if the document has none.
+    fn finished(&self, baked: &Baked) -> Vec<Option<Finished>> {
+        let Some(finish) = &self.finish else { return Vec::new() };
+        let scale = self.baker.scale() as f32;
+        baked.places.par_iter().map(|place| place.map(|place| finish.at(place, scale))).collect()
     }
 
     /// By layer and texel: how much the height rises with the value of the layer, a unit of it.
@@ -209,52 +251,72 @@ impl Texture<'_> {
 
 /// Some rows of a texture.
 struct Relief {
-    layers: usize,
-    values: Vec<Vec<f32>>,
+    baked: Baked,
+    /// The lowest and the highest height that is possible, px of the sketch.
+    range: [f64; 2],
     /// px of the sketch.
     heights: Vec<f32>,
     normals: Vec<[f32; 3]>,
     roughness: Vec<f32>,
-    open: Vec<f32>,
+    /// Empty without a finish.
+    finished: Vec<Option<Finished>>,
+}
+
+impl Relief {
+    /// Adds the heights of the finish, which lie in this range, and takes its roughness.
+    fn finish(&mut self, [low, high]: [f32; 2]) {
+        self.range = [self.range[0] + f64::from(low), self.range[1] + f64::from(high)];
+        let texels = self.heights.iter_mut().zip(&mut self.roughness).zip(&self.finished);
+        for ((height, roughness), finished) in texels {
+            if let Some(Finished { surfel, .. }) = finished {
+                *height += surfel.height;
+                *roughness = surfel.roughness.clamp(0.0, 1.0);
+            }
+        }
+    }
+
+    /// The colour of a texel, red, green, blue in the coding of sRGB.
+    fn colour(&self, texel: usize, coat: &Coat) -> [f32; 3] {
+        match self.finished.get(texel) {
+            Some(Some(finished)) => finished.surfel.albedo(),
+            _ => coat.light(&self.of_texel(texel)).map(|light| srgb_from_linear(f64::from(light)) as f32),
+        }
+    }
 }
 
 impl Relief {
     /// The samples of a map.
     fn encode(&self, map: Map, texture: &Texture, set: &Set, bytes: &mut [u8]) {
-        let texels = || self.open.iter().zip(&self.roughness);
+        let open = &self.baked.open;
+        let texels = || open.iter().zip(&self.roughness);
         match map {
             Map::BaseColour => {
-                let colours =
-                    (0..self.open.len()).flat_map(|texel| texture.coat.light(&self.of_texel(texel)));
-                fill(bytes, set.deep, colours.map(|light| srgb_from_linear(f64::from(light)) as f32));
+                let colours = (0..open.len()).flat_map(|texel| self.colour(texel, &texture.coat));
+                fill(bytes, set.deep, colours);
             }
             // Models are opaque.
             Map::Opacity => bytes.fill(u8::MAX),
             Map::Height => {
-                let normalised = |height: &f32| texture.surface.normalised(*height, self.layers);
-                fill(bytes, true, self.heights.iter().map(normalised));
+                fill(bytes, true, self.heights.iter().map(|height| share_of(*height, self.range)));
             }
             Map::NormalGl => fill(bytes, set.deep, self.normals.iter().flat_map(|n| encoded(*n, Green::Up))),
             Map::NormalDx => {
                 fill(bytes, set.deep, self.normals.iter().flat_map(|n| encoded(*n, Green::Down)));
             }
             Map::Roughness => fill(bytes, false, self.roughness.iter().copied()),
-            Map::Occlusion => fill(bytes, false, self.open.iter().copied()),
+            Map::Occlusion => fill(bytes, false, open.iter().copied()),
             Map::Orm => fill(bytes, false, texels().flat_map(|(open, rough)| [*open, *rough, 0.0])),
             Map::MaskMap => {
                 fill(bytes, false, texels().flat_map(|(open, rough)| [0.0, *open, 0.0, 1.0 - *rough]));
             }
-            // Bodies have no finish: reflections have no direction.
-            Map::Anisotropy => {
-                bytes.chunks_exact_mut(3).for_each(|px| px.copy_from_slice(&[u8::MAX, 128, 0]));
-            }
+            Map::Anisotropy => self.anisotropy(texture, bytes),
             Map::Id => {
                 // Marks beneath keep their place.
                 let label = |texel: usize| {
-                    let mark = texture.raised.iter().find(|layer| self.values[**layer][texel] >= EDGE);
+                    let mark = texture.raised.iter().find(|layer| self.baked.values[**layer][texel] >= EDGE);
                     mark.map_or(0, |layer| layer + 1)
                 };
-                let ids = (0..self.open.len()).flat_map(|texel| id_colour(label(texel) as u8));
+                let ids = (0..open.len()).flat_map(|texel| id_colour(label(texel) as u8));
                 bytes.iter_mut().zip(ids).for_each(|(out, id)| *out = id);
             }
         }
@@ -264,7 +326,21 @@ impl Relief {
 impl Relief {
     /// The values of all layers in a texel.
     fn of_texel(&self, texel: usize) -> Vec<f32> {
-        self.values.iter().map(|values| values[texel]).collect()
+        self.baked.values.iter().map(|values| values[texel]).collect()
+    }
+
+    /// The direction of reflections: across the hair. Without hair they have none.
+    fn anisotropy(&self, texture: &Texture, bytes: &mut [u8]) {
+        let stretch = texture.stretch.unwrap_or(0);
+        for (texel, out) in bytes.chunks_exact_mut(3).enumerate() {
+            let across = |finish: &SurfaceFinish| {
+                let [x, y] = self.baked.in_tangent_space(texel, finish.flow(self.baked.places[texel]?));
+                Some([-y, x])
+            };
+            let [x, y] = texture.finish.as_ref().and_then(across).unwrap_or([1.0, 0.0]);
+            let code = |part: f32| (255.0 * (0.5 + 0.5 * part)).round() as u8;
+            out.copy_from_slice(&[code(x), code(y), stretch]);
+        }
     }
 }
 

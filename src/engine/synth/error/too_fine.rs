@@ -19,6 +19,17 @@ pub enum TooFine {
         /// Bytes free.
         free: f64,
     },
+    /// The finish does not fit into memory.
+    #[error(
+        "the finish needs about {:.1} GB of memory, {:.1} GB are free; make its \"size\" larger, or \"px\" of the model less",
+        needed / 1e9, free / 1e9
+    )]
+    Finish {
+        /// Bytes needed.
+        needed: f64,
+        /// Bytes free.
+        free: f64,
+    },
     /// The pattern takes too long.
     #[error(
         "about {vertices:.0} vertices take {} of one core, such a surface may take {}; make \"px\" of the model less, draw larger marks, \

@@ -5,16 +5,13 @@ use std::sync::OnceLock;
 
 use crate::document::Document;
 use crate::export::png::Samples;
-use crate::finish::{Finish, Finished, Flow, Kind, Source};
+use crate::finish::{Finish, Finished, Flow, Source};
 use crate::grid::{Edges, to_u16};
 use crate::synth::render::painting::fine::{Colours, to_u8};
 use crate::synth::render::painting::{Painting, flow};
 
 /// Rows of the unfinished picture that are painted together.
 const ROWS: usize = 256;
-
-/// How far reflections of hair are stretched, of 255: 0.7 of the most. It was not compared in a renderer.
-const STRETCH: u8 = 180;
 
 /// The finish of a painting.
 pub(super) struct Applied {
@@ -91,13 +88,14 @@ impl Painting<'_> {
     /// Whether its reflections have a direction: those of hair.
     #[must_use]
     pub fn is_anisotropic(&self) -> bool {
-        self.finish.as_ref().is_some_and(|applied| applied.finish.kind == Kind::Fur)
+        self.finish.as_ref().is_some_and(|applied| applied.finish.kind.stretch().is_some())
     }
 
     /// The direction of reflections in `rows`: across the hair, since its normals differ across it and not along it. Red, green,
     /// blue a px as [`crate::export::material::Map::Anisotropy`] says.
     pub(super) fn anisotropy(&self, rows: Range<usize>, bytes: &mut [u8]) {
         let Some(applied) = &self.finish else { return };
+        let stretch = applied.finish.kind.stretch().unwrap_or(0);
         let width = self.size[0];
         let px_a_px = [0, 1].map(|axis| (self.canvas[axis] / self.size[axis] as f64) as f32);
         for (out, px) in bytes.chunks_exact_mut(3).zip(rows.start * width..) {
@@ -105,7 +103,7 @@ impl Painting<'_> {
             let [x, y] = applied.flow.at([point[0] * px_a_px[0], point[1] * px_a_px[1]]);
             // A quarter turn; y of the canvas points down, that of the map up.
             let across = [y, x];
-            out.copy_from_slice(&[to_u8(0.5 + 0.5 * across[0]), to_u8(0.5 + 0.5 * across[1]), STRETCH]);
+            out.copy_from_slice(&[to_u8(0.5 + 0.5 * across[0]), to_u8(0.5 + 0.5 * across[1]), stretch]);
         }
     }
 
