@@ -57,14 +57,6 @@ pub struct SurfaceFinish<'a> {
     heights: [f32; 2],
 }
 
-impl Finished {
-    /// The mean of two looks.
-    fn halfway(&self, other: &Self) -> Self {
-        let slope = times(plus(self.slope, other.slope), 0.5);
-        Self { surfel: self.surfel.covered(&other.surfel, 0.5), slope }
-    }
-}
-
 impl Finish {
     /// Bytes that [`SurfaceFinish`] takes for each px² of a surface: of fur the hairs, with the cubes of space that each reaches.
     #[must_use]
@@ -96,6 +88,14 @@ pub struct Finished {
     pub surfel: Surfel,
     /// By how much its height rises along the surface: a tangent vector.
     pub slope: [f64; 3],
+}
+
+impl Finished {
+    /// The mean of two looks.
+    fn halfway(&self, other: &Self) -> Self {
+        let slope = times(plus(self.slope, other.slope), 0.5);
+        Self { surfel: self.surfel.covered(&other.surfel, 0.5), slope }
+    }
 }
 
 impl<'a> SurfaceFinish<'a> {

@@ -89,6 +89,31 @@ fn seeds_are_the_nearest_of_all() {
 }
 
 #[test]
+fn a_place_looks_the_same_from_both_triangles_at_its_edge() {
+    let surface = ball();
+    // The middle of a side of a triangle, which another triangle has as well.
+    let middle = |face: usize, ends: [u32; 2]| {
+        let share = |corner: usize| if ends.contains(&surface.mesh.faces[face][corner]) { 0.5 } else { 0.0 };
+        SurfacePoint { face: face as u32, weights: [share(0), share(1)] }
+    };
+    for finish in every() {
+        let finished = finished(finish, source(&surface, |_| false));
+        let mut apart = 0.0;
+        for face in (0..surface.mesh.faces.len()).step_by(97) {
+            let [a, b, _] = surface.mesh.faces[face];
+            let has_side = |other: &usize| {
+                let corners = surface.mesh.faces[*other];
+                *other != face && corners.contains(&a) && corners.contains(&b)
+            };
+            let other = (0..surface.mesh.faces.len()).find(has_side).expect("a neighbour");
+            let [one, two] = [face, other].map(|face| finished.at(middle(face, [a, b]), 4.0).surfel);
+            apart += (one.tint - two.tint).abs() + (one.height - two.height).abs();
+        }
+        assert!(apart < 0.05, "{finish:?}: {apart}");
+    }
+}
+
+#[test]
 fn every_finish_is_the_same_with_any_number_of_threads() {
     let surface = ball();
     let points = places(&surface, 60);
