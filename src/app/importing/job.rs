@@ -161,7 +161,7 @@ fn found(
         options,
         picture: reading.picture,
         cut: reading.spots.iter().filter(|spot| !spot.whole).count(),
-        level: reading.segmentation.level,
+        level: reading.level(),
         least: reading.least,
         neither: reading.neither,
         document,

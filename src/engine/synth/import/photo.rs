@@ -3,9 +3,10 @@
 use std::io::{BufRead, Seek};
 use std::path::{Path, PathBuf};
 
-use crate::attributes::{Attributes, Spots};
+use crate::attributes::{Attributes, Spots, Spread};
 use crate::document::{
-    AreaKind, Colours, Document, DocumentError, Layer, LayerOptions, RaggedChoice, SystemChoice, limits,
+    AreaKind, Colours, Document, DocumentError, Layer, LayerOptions, RaggedChoice, Rosettes, SpreadChoice,
+    SystemChoice, limits,
 };
 use crate::marks::Mark;
 use crate::measure::Picture;
@@ -136,7 +137,8 @@ fn document(
 /// Sets the system of layers whose spots are too dense for reaction and diffusion, if the few drawn spots do not show the density.
 fn name_dense(document: &mut Document, reading: &Reading) {
     let Picture::Spots { .. } = reading.picture else { return };
-    if document.layers.len() == 1 && reading.ink() > DENSE && document.areas(0).is_none() {
+    let is_dense = reading.rosettes.is_some() || reading.ink() > DENSE;
+    if document.layers.len() == 1 && is_dense && document.areas(0).is_none() {
         document.layers[0].system = SystemChoice::Of(AreaKind::Patches.description());
     }
 }
@@ -145,8 +147,27 @@ fn layer(found: &FoundLayer, size: [u32; 2]) -> Layer {
     let strokes = found.marks.iter().filter_map(|mark| stroke(mark, size)).collect();
     let colours = (!found.tones.is_empty())
         .then(|| Colours::new(found.tones.iter().map(|Tone { at, colour }| (*at, *colour))));
-    let options = LayerOptions { ragged: ragged(found), ..LayerOptions::default() };
+    let options = LayerOptions {
+        ragged: ragged(found),
+        spread: found.spread.map_or(SpreadChoice::Drawn, |spread| SpreadChoice::Given(limited(&spread))),
+        rosette: found.rosettes.map(|rosettes| Rosettes { width: rosettes.width.map(|px| hundredths(px.max(2.0))), ..rosettes }),
+        ..LayerOptions::default()
+    };
     Layer { name: found.name.to_owned(), strokes, colours, options, ..Layer::default() }
+}
+
+/// A spread within the allowed range.
+fn limited(spread: &Spread) -> Spread {
+    Spread {
+        area: hundredths(spread.area.min(limits::SPREAD_AREA.high)),
+        angle: hundredths(spread.angle.min(limits::SPREAD_ANGLE.high)),
+        aspect: hundredths(spread.aspect.min(limits::SPREAD_ASPECT.high)),
+        spacing: hundredths(spread.spacing.min(limits::SPREAD_SPACING.high)),
+    }
+}
+
+fn hundredths(value: f64) -> f64 {
+    (100.0 * value).round() / 100.0
 }
 
 /// The raggedness that marks are to have: that of the marks that were found, limited to the allowed range.
@@ -158,7 +179,7 @@ fn ragged(found: &FoundLayer) -> RaggedChoice {
     let mean = Spots::measure(&ellipses.collect::<Vec<_>>());
     let (Some(mean), Some(raggedness)) = (mean, found.raggedness) else { return RaggedChoice::Drawn };
     let sigma = sigma_of(&Attributes::Spots(mean), raggedness).min(limits::RAGGED.high);
-    RaggedChoice::Given((100.0 * sigma).round() / 100.0)
+    RaggedChoice::Given(hundredths(sigma))
 }
 
 /// The marks that were found, in words.
