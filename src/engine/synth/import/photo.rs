@@ -5,13 +5,16 @@ use std::path::{Path, PathBuf};
 
 use crate::attributes::{Attributes, Spots, Spread};
 use crate::document::{
-    AreaKind, Colours, Document, DocumentError, Layer, LayerOptions, RaggedChoice, Rosettes, SpreadChoice,
-    SystemChoice, limits,
+    AreaKind, Colours, Document, DocumentError, Finishing, FlowChoice, Layer, LayerOptions, RaggedChoice,
+    Rosettes, SpreadChoice, SystemChoice, limits,
 };
-use crate::marks::Mark;
+use crate::finish;
+use crate::marks::{Line, Mark};
 use crate::measure::Picture;
-use crate::photo::{DENSE, FoundLayer, Limits, Neither, Reading, Tone, Wanted, sketch};
-use crate::synth::import::measured_picture::{Framing, MeasureError, ReadPicture, read_stream};
+use crate::photo::{DENSE, FoundLayer, Hair, Limits, Neither, Reading, Tone, Wanted, hair, sketch};
+use crate::synth::import::measured_picture::{
+    Framing, MeasureError, OpenedPicture, ReadPicture, open_stream,
+};
 use crate::synth::import::svg::stroke;
 use crate::synth::marks::plan::raggedness::sigma_of;
 
@@ -52,6 +55,8 @@ pub struct PhotoOptions {
     pub wanted: Wanted,
     /// Whether the marks are taken even if they do not form a texture.
     pub take_it: bool,
+    /// The finish of the document; that of fur has the direction of the hair in the photograph, if it has one.
+    pub finish: Option<finish::Kind>,
 }
 
 /// A document made of a photograph.
@@ -84,9 +89,11 @@ pub fn import_photo(
     free: Option<f64>,
 ) -> Result<ImportedPhoto, PhotoImportError> {
     let limits = Limits { among_specks: options.take_it, ..options.framing.limits };
-    let read = read_stream(stream, path, &Framing { limits, ..options.framing }, free)?;
+    let framing = Framing { limits, ..options.framing };
+    let opened = open_stream(stream, path, free)?;
+    let read = opened.read(path, &framing)?;
     let read = if options.take_it { read } else { read.texture(path).map_err(PhotoImportError::Neither)? };
-    import_read(&read, path, &options.wanted)
+    import_read(&read, &opened, path, options)
 }
 
 /// Makes a document from the marks that were read in the photograph `path`, even if they do not form a texture.
@@ -95,17 +102,47 @@ pub fn import_photo(
 /// [`PhotoImportError`].
 pub fn import_read(
     read: &ReadPicture,
+    opened: &OpenedPicture,
     path: &Path,
-    wanted: &Wanted,
+    options: &PhotoOptions,
 ) -> Result<ImportedPhoto, PhotoImportError> {
     let neither = read.reading.neither;
-    let (document, found, between) = document(read, wanted, path)?;
+    let (mut document, found, between) = document(read, &options.wanted, path)?;
+    let mut notes = read.notes.clone();
+    if let Some(kind) = options.finish {
+        let flow = if kind == finish::Kind::Fur {
+            let raster = opened.framed(path, &options.framing)?;
+            flow(hair(&raster, &read.reading, FlowChoice::HEAD_TO_TAIL), document.size, &mut notes)
+        } else {
+            FlowChoice::Usual
+        };
+        document.finish = Some(Finishing { flow, ..finish::Finish::new(kind).into() });
+    }
     let kind = match read.reading.picture {
         Picture::Spots { .. } => "spots",
         Picture::Stripes { .. } => "stripes",
     };
     let summary = summary(&document, kind, &found, neither);
-    Ok(ImportedPhoto { document, kind, found, between, neither, notes: read.notes.clone(), summary })
+    Ok(ImportedPhoto { document, kind, found, between, neither, notes, summary })
+}
+
+/// The direction of hair in a document of this size; `notes` get what was found.
+fn flow(hair: Option<Hair>, size: [u32; 2], notes: &mut Vec<String>) -> FlowChoice {
+    match hair {
+        None => {
+            notes.push("no direction of hair was found in the fine detail".to_owned());
+            FlowChoice::Usual
+        }
+        Some(Hair::Angle(angle)) => {
+            notes.push(format!("hair lies at {angle:.0}°, or the other way round"));
+            FlowChoice::Angle((10.0 * angle).round() / 10.0)
+        }
+        Some(Hair::Lines(lines)) => {
+            notes.push(format!("hair lies along {} lines, or the other way round", lines.len()));
+            let line = |[from, to]: [[f64; 2]; 2]| stroke(&Mark::Line(Line { from, to, width: 0.0 }), size);
+            FlowChoice::Strokes(lines.into_iter().filter_map(line).collect())
+        }
+    }
 }
 
 fn document(
