@@ -22,7 +22,7 @@ const REACH: isize = 8;
 /// Quantiles of the places whose colours are the two ends.
 const ENDS: [f64; 2] = [0.02, 0.98];
 /// Least difference of the two ends, OKLab, from which on the ground changes by place.
-const CHANGES: f32 = 0.05;
+const CHANGES: f32 = 0.08;
 
 /// The colours of the ground by place.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,9 +40,8 @@ pub struct GroundColours {
 pub fn ground_colours(reading: &Reading) -> Option<GroundColours> {
     let lab = reading.segmentation.lab.as_deref()?;
     let rosettes = reading.rosettes.as_ref();
-    let (field, level) = rosettes.map_or((&reading.segmentation.field, reading.segmentation.level), |found| {
-        (&found.ink, found.level)
-    });
+    let (field, level) = rosettes
+        .map_or((&reading.segmentation.field, reading.segmentation.level), |found| (&found.ink, found.level));
     let is_enclosed = |cell: usize| rosettes.is_some_and(|found| found.centres[cell] > 0);
     let (size, means) = means(lab, field, level, is_enclosed)?;
     let filled = filled(&means, size);
@@ -110,7 +109,10 @@ fn along_axis(colours: &[Option<[f64; 3]>], size: [usize; 2]) -> Option<GroundCo
     let mut products = [0.0; 6];
     for colour in &known {
         let [l, a, b] = [0, 1, 2].map(|k| colour[k] - mean[k]);
-        [l * l, l * a, l * b, a * a, a * b, b * b].iter().zip(&mut products).for_each(|(one, sum)| *sum += one);
+        [l * l, l * a, l * b, a * a, a * b, b * b]
+            .iter()
+            .zip(&mut products)
+            .for_each(|(one, sum)| *sum += one);
     }
     let axis = first_eigenvector(products);
     let along = |colour: &[f64; 3]| (0..3).map(|k| (colour[k] - mean[k]) * axis[k]).sum::<f64>();

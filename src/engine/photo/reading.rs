@@ -82,9 +82,7 @@ pub fn read_segmented(mut segmentation: Segmentation, limits: &Limits) -> Result
 
 fn photograph(mut segmentation: Segmentation, limits: &Limits) -> Result<Reading, Neither> {
     let (picture, census) = marks(&mut segmentation, limits)?;
-    if matches!(picture, Picture::Spots { .. })
-        && let Some(reading) = of_rosettes(&segmentation, &census, limits)
-    {
+    if let Some(reading) = of_rosettes(&segmentation, &picture, &census, limits) {
         return Ok(reading);
     }
     let picture = verdict::with_raggedness(picture, &segmentation.field, segmentation.level, &census.spots);
@@ -93,14 +91,26 @@ fn photograph(mut segmentation: Segmentation, limits: &Limits) -> Result<Reading
 }
 
 /// The rosettes of a segmentation, if its marks stand in rings.
-fn of_rosettes(segmentation: &Segmentation, blotches: &Census, limits: &Limits) -> Option<Reading> {
-    if verdict::are_ellipses(&blotches.spots) {
+fn of_rosettes(
+    segmentation: &Segmentation,
+    picture: &Picture,
+    blotches: &Census,
+    limits: &Limits,
+) -> Option<Reading> {
+    let is_other = match picture {
+        Picture::Spots { .. } => verdict::are_ellipses(&blotches.spots),
+        Picture::Stripes { got, .. } => verdict::have_direction(got),
+    };
+    if is_other {
         return None;
     }
-    let (rosettes, field) = rosettes::found(&segmentation.field, segmentation.level)?;
+    let mut ink = segmentation.field.clone();
+    // Blotches that hair joins look like bands, which have not been cut apart.
+    watershed::cut_apart(&mut ink, segmentation.level);
+    let (rosettes, field) = rosettes::found(&ink, segmentation.level)?;
     let mut segmentation = Segmentation { field, level: OUTLINE, ..segmentation.clone() };
-    let limits = Limits { level: None, ..*limits };
-    let (picture, census) = marks(&mut segmentation, &limits).ok()?;
+    let census = counted(&segmentation.field, OUTLINE, limits);
+    let picture = picture_of(&segmentation.field, OUTLINE, &census)?;
     let Picture::Spots { got, .. } = picture else { return None };
     segmentation.wavelength = got.spacing.unwrap_or(segmentation.wavelength);
     let picture = picture.with_raggedness(&segmentation.field, OUTLINE);
@@ -116,9 +126,7 @@ fn pattern(segmentation: Segmentation, limits: &Limits) -> Result<Reading, Neith
     let Segmentation { field, level, .. } = &segmentation;
     let census = counted(field, *level, limits);
     let picture = picture_of(field, *level, &census).ok_or(Neither::Noise)?;
-    if matches!(picture, Picture::Spots { .. })
-        && let Some(reading) = of_rosettes(&segmentation, &census, limits)
-    {
+    if let Some(reading) = of_rosettes(&segmentation, &picture, &census, limits) {
         return Ok(reading);
     }
     let picture = verdict::with_raggedness(picture, field, *level, &census.spots);

@@ -71,7 +71,8 @@ pub fn tones(
     let [near_ground, far_ground] = near_and_far(&ground);
     let [near_mark, far_mark] = near_and_far(&marks);
     let light = Light::of(lab, [&far_ground, &far_mark]);
-    let is_counted: Vec<bool> = is_mark.iter().enumerate().map(|(cell, mark)| *mark && counts(cell)).collect();
+    let is_counted: Vec<bool> =
+        is_mark.iter().enumerate().map(|(cell, mark)| *mark && counts(cell)).collect();
     let other = |(cell, mark): (usize, &bool)| if *mark { !counts(cell) } else { enclosed(cell) };
     let is_other: Vec<bool> = is_mark.iter().enumerate().map(other).collect();
     let shares = Shares::of_marks(lab, &is_counted, &is_other, &light);

@@ -2,7 +2,7 @@
 
 use super::Segmentation;
 use crate::grid::Field;
-use crate::measure::{NotTexture, Picture, Spot, check_picture};
+use crate::measure::{NotTexture, Picture, Spot, StripeStatistics, check_picture};
 
 /// The reason why a photograph shows neither spots nor stripes.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -84,7 +84,7 @@ pub fn check(segmentation: &Segmentation, picture: &Picture, spots: &[Spot]) -> 
             }
         }
         Picture::Stripes { got, .. } => {
-            if got.coherence < COHERENCE {
+            if !have_direction(got) {
                 return Err(Neither::NoDirection { coherence: got.coherence });
             }
         }
@@ -105,6 +105,11 @@ pub fn check_tones(segmentation: &Segmentation) -> Result<(), Neither> {
         return Err(Neither::Uneven { uneven });
     }
     Ok(())
+}
+
+/// Whether stripes have a direction.
+pub fn have_direction(stripes: &StripeStatistics) -> bool {
+    stripes.coherence >= COHERENCE
 }
 
 /// Whether spots are ellipses.

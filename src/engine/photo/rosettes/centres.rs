@@ -35,7 +35,8 @@ pub fn tones(lab: Option<&Lab>, found: &FoundRosettes) -> (Vec<Tone>, Rosettes) 
     // Inside of an outline the pattern goes from the tint to the edge, so what lies between has the colour of the centre.
     let inner = [(LEAST * tint, least), (tint, most), (NEAR[0], most)];
     let inner = inner.map(|(at, colour)| Tone { at, colour: srgb_of_oklab(colour) });
-    let ends = |low: bool| tones.iter().filter(move |tone| if low { tone.at == 0.0 } else { tone.at >= NEAR[1] });
+    let ends =
+        |low: bool| tones.iter().filter(move |tone| if low { tone.at == 0.0 } else { tone.at >= NEAR[1] });
     (ends(true).copied().chain(inner).chain(ends(false).copied()).collect(), found.like)
 }
 
@@ -59,7 +60,10 @@ fn colours(lab: &Lab, found: &FoundRosettes, light: &Light) -> Vec<[f32; 3]> {
             *count += 1.0;
         }
     }
-    sums.into_iter().filter(|(_, count)| *count > 0.0).map(|(sum, count)| sum.map(|sum| sum / count)).collect()
+    sums.into_iter()
+        .filter(|(_, count)| *count > 0.0)
+        .map(|(sum, count)| sum.map(|sum| sum / count))
+        .collect()
 }
 
 /// The least and the most tinted colour of the centres, from that of the ground along the way to their mean; `None` if they are as the

@@ -12,8 +12,6 @@ const DEEP: f64 = 0.17;
 /// The ink of a picture.
 pub struct Ink {
     grid: Grid,
-    /// Cells from each cell to the nearest one of ink.
-    away: Vec<f32>,
     /// The blotch of each cell of ink, from 1; 0 on the ground.
     owners: Vec<u32>,
     /// Whether each blotch is large enough to count.
@@ -45,7 +43,9 @@ impl Ink {
         // Cells are square: distances are counted in cells.
         let grid = Grid { cell: [1.0; 2], ..field.grid() };
         let ink: Vec<bool> = field.values.iter().map(|value| *value > level).collect();
-        let away = distances(&ink, &grid)?;
+        if !ink.contains(&true) {
+            return None;
+        }
         let mut seen: Vec<bool> = ink.iter().map(|ink| !ink).collect();
         let mut owners = vec![0; seen.len()];
         let mut sizes = Vec::new();
@@ -58,7 +58,12 @@ impl Ink {
         }
         let least = SPECK * crate::measure::usual_area(sizes.iter().map(|size| *size as f64));
         let counts = sizes.iter().map(|size| *size as f64 >= least).collect();
-        Some(Self { grid, away, owners, counts })
+        Some(Self { grid, owners, counts })
+    }
+
+    /// The number of cells of the picture.
+    pub fn cells(&self) -> usize {
+        self.owners.len()
     }
 
     /// The number of blotches.
@@ -72,28 +77,32 @@ impl Ink {
     }
 
     /// The groups of ink that gaps of up to twice `reach` cells do not part: the ground is where a disc of this radius fits between
-    /// the ink and comes from the border, or from the largest such place.
-    pub fn groups(&self, reach: f32) -> Vec<Group> {
+    /// the ink and comes from the border, from the largest such place or from what is `taken`, which belongs to no group.
+    pub fn groups(&self, reach: f32, taken: &[bool]) -> Vec<Group> {
         let size = self.grid.size;
-        let Some(outside) = distances(&self.outside(reach), &self.grid) else { return Vec::new() };
-        let depths = self.depths(&outside);
-        let mut seen: Vec<bool> =
-            (0..outside.len()).map(|cell| !self.holds(cell) && outside[cell] <= reach).collect();
+        let free: Vec<bool> = (0..taken.len()).map(|cell| self.holds(cell) && !taken[cell]).collect();
+        let Some(away) = distances(&free, &self.grid) else { return Vec::new() };
+        let outside = self.outside(&away, reach, taken);
+        let Some(outside) = distances(&outside, &self.grid) else { return Vec::new() };
+        let depths = self.depths(&outside, reach);
+        let is_in = |cell: usize| !taken[cell] && (free[cell] || outside[cell] > reach);
+        let mut seen: Vec<bool> = (0..taken.len()).map(|cell| !is_in(cell)).collect();
         let mut met = vec![false; self.counts.len()];
         let mut groups = Vec::new();
-        for start in 0..outside.len() {
+        for start in 0..taken.len() {
             if !seen[start] {
-                groups.push(self.group(component(start, &mut seen, size), &depths, &mut met));
+                groups.push(self.group(component(start, &mut seen, size), &away, &depths, &mut met));
             }
         }
         groups
     }
 
-    /// The cells around which a disc of radius `reach` fits between the ink, but for those that ink encloses.
-    fn outside(&self, reach: f32) -> Vec<bool> {
+    /// What is taken, and the cells around which a disc of radius `reach` fits between the ink, but for those that ink encloses.
+    fn outside(&self, away: &[f32], reach: f32, taken: &[bool]) -> Vec<bool> {
         let size = self.grid.size;
-        let mut seen: Vec<bool> = self.away.iter().map(|away| *away <= reach).collect();
-        let mut outside = vec![false; seen.len()];
+        let mut seen: Vec<bool> =
+            away.iter().zip(taken).map(|(away, taken)| *away <= reach || *taken).collect();
+        let mut outside = taken.to_vec();
         let mut largest = Vec::new();
         for start in 0..outside.len() {
             if seen[start] {
@@ -111,22 +120,22 @@ impl Ink {
         outside
     }
 
-    /// The least distance of the cells of each blotch from the outside, cells.
-    fn depths(&self, outside: &[f32]) -> Vec<f32> {
+    /// The least depth of the cells of each blotch inside the outline of its group, `reach` from the outside, cells.
+    fn depths(&self, outside: &[f32], reach: f32) -> Vec<f32> {
         let mut depths = vec![f32::INFINITY; self.counts.len()];
         for (owner, away) in self.owners.iter().zip(outside).filter(|(owner, _)| **owner > 0) {
             let depth = &mut depths[*owner as usize - 1];
-            *depth = depth.min(*away);
+            *depth = depth.min(*away - reach);
         }
         depths
     }
 
-    fn group(&self, cells: Vec<usize>, depths: &[f32], met: &mut [bool]) -> Group {
+    fn group(&self, cells: Vec<usize>, away: &[f32], depths: &[f32], met: &mut [bool]) -> Group {
         let size = self.grid.size;
         let deep = (DEEP * (cells.len() as f64).sqrt()) as f32;
         let (mut ink, mut hole, mut blotches, mut dots) = (0, 0.0_f32, 0, 0);
         for cell in &cells {
-            hole = hole.max(self.away[*cell]);
+            hole = hole.max(away[*cell]);
             let Some(blotch) = (self.owners[*cell] as usize).checked_sub(1) else { continue };
             ink += 1;
             if std::mem::replace(&mut met[blotch], true) || !self.counts[blotch] {
@@ -171,17 +180,27 @@ mod tests {
     #[test]
     fn blotches_around_a_place_are_one_group_with_what_they_enclose() {
         let ink = Ink::new(&field(), 0.5).unwrap();
-        let mut groups = ink.groups(2.5);
+        let mut groups = ink.groups(2.5, &[false; 12_000]);
         groups.sort_by_key(|group| group.cells.len());
         let found: Vec<_> =
             groups.iter().map(|group| (group.whole, group.blotches, group.dots, group.hole > 1.5)).collect();
         assert_eq!(found, [(false, 1, 0, false), (true, 1, 0, false), (true, 4, 1, true)]);
-        assert!(groups[2].fill > 0.9 && groups[2].ink < groups[2].cells.len(), "{}", groups[2].fill);
+        assert!(groups[2].fill > 0.85 && groups[2].ink < groups[2].cells.len(), "{}", groups[2].fill);
+    }
+
+    #[test]
+    fn what_is_taken_is_in_no_group_and_parts_others() {
+        let ink = Ink::new(&field(), 0.5).unwrap();
+        let none = [false; 12_000];
+        let ring = ink.groups(2.5, &none).into_iter().max_by_key(|group| group.cells.len()).unwrap();
+        let mut taken = none;
+        ring.cells.iter().for_each(|cell| taken[*cell] = true);
+        assert_eq!(ink.groups(30.0, &taken).iter().map(|group| group.ink).max(), Some(256));
     }
 
     #[test]
     fn a_reach_below_half_of_the_gaps_joins_nothing() {
         let ink = Ink::new(&field(), 0.5).unwrap();
-        assert_eq!((ink.blotches(), ink.groups(0.5).len()), (7, 7));
+        assert_eq!((ink.blotches(), ink.groups(0.5, &[false; 12_000]).len()), (7, 7));
     }
 }

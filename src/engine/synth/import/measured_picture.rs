@@ -12,8 +12,8 @@ use crate::colour::Gradient;
 use crate::document::{Colours, Document, embedded};
 use crate::grid::{Edges, Field};
 use crate::measure::{Picture, otsu_threshold, patches};
-use crate::points::rosettes::Rosettes;
 use crate::photo::{self, Corners, Crop, Limits, Neither, Raster, Reading, Segmentation};
+use crate::points::rosettes::Rosettes;
 use crate::synth::memory;
 use crate::synth::pattern::EDGE;
 

@@ -171,11 +171,12 @@ fn document(
     Ok((document, found, sketch.between))
 }
 
-/// Sets the system of layers whose spots are too dense for reaction and diffusion, if the few drawn spots do not show the density.
+/// Sets the system of layers of rosettes, and of those whose spots are too dense for reaction and diffusion, if the few drawn spots do
+/// not show the density.
 fn name_dense(document: &mut Document, reading: &Reading) {
     let Picture::Spots { .. } = reading.picture else { return };
-    let is_dense = reading.rosettes.is_some() || reading.ink() > DENSE;
-    if document.layers.len() == 1 && is_dense && document.areas(0).is_none() {
+    let is_dense = reading.ink() > DENSE && document.areas(0).is_none();
+    if document.layers.len() == 1 && (is_dense || reading.rosettes.is_some()) {
         document.layers[0].system = SystemChoice::Of(AreaKind::Patches.description());
     }
 }
@@ -187,7 +188,9 @@ fn layer(found: &FoundLayer, size: [u32; 2]) -> Layer {
     let options = LayerOptions {
         ragged: ragged(found),
         spread: found.spread.map_or(SpreadChoice::Drawn, |spread| SpreadChoice::Given(limited(&spread))),
-        rosette: found.rosettes.map(|rosettes| Rosettes { width: rosettes.width.map(|px| hundredths(px.max(2.0))), ..rosettes }),
+        rosette: found
+            .rosettes
+            .map(|rosettes| Rosettes { width: rosettes.width.map(|px| hundredths(px.max(2.0))), ..rosettes }),
         ..LayerOptions::default()
     };
     Layer { name: found.name.to_owned(), strokes, colours, options, ..Layer::default() }
