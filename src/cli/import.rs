@@ -4,6 +4,7 @@ use super::json::print_json;
 use super::{Error, values};
 use crate::document::Stop;
 use crate::files::{self, WriteFile, import_photo, import_svg, is_svg};
+use crate::finish::Kind as FinishKind;
 use crate::photo::{Corners, Crop, Limits, Wanted};
 use crate::synth::import::measured_picture::Framing;
 use crate::synth::import::photo::{ImportedPhoto, PhotoOptions};
@@ -59,6 +60,10 @@ pub struct Args {
     /// px
     #[arg(long, value_name = "X,Y,X,Y,X,Y,X,Y", value_parser = values::corners, help_heading = "Photographs")]
     pub corners: Option<Corners>,
+    /// Photograph: the finish of the document, such as fur; hair lies as in the photograph, where its fine detail has a
+    /// direction [default: none]
+    #[arg(long, value_name = "KIND", value_parser = values::finish, help_heading = "Photographs")]
+    pub finish: Option<FinishKind>,
     /// Print what was read as one JSON object
     #[arg(long)]
     pub json: bool,
@@ -104,6 +109,7 @@ fn drawing(args: &Args) -> Result<(String, Vec<String>, Value), Error> {
         ("--take-it", args.take_it),
         ("--crop", args.crop.is_some()),
         ("--corners", args.corners.is_some()),
+        ("--finish", args.finish.is_some()),
     ];
     if let Some((option, _)) = of_photographs.iter().find(|(_, given)| *given) {
         let file = args.file.display();
@@ -134,6 +140,7 @@ fn photograph(args: &Args) -> Result<(String, Vec<String>, Value), Error> {
             all_marks: args.all_marks,
         },
         take_it: args.take_it,
+        finish: args.finish,
     };
     let mut imported = import_photo(&args.file, &options).map_err(Error::step)?;
     if let Some(dpi) = args.dpi {

@@ -9,6 +9,7 @@ use crate::document::layer_rules::{Beneath, Combination};
 use crate::document::systems::{self, SYSTEMS};
 use crate::document::{DutyChoice, Layer, LayerOptions, OptionKey, SystemChoice, limits};
 use crate::export::outline::Ends;
+use crate::finish::Kind as FinishKind;
 use crate::marks::axial;
 use crate::photo::{Corners, Crop, LEVELS};
 
@@ -31,6 +32,13 @@ pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
         whole.ok_or_else(|| format!("found a side of {side} px; allowed: 1 to {}", limits::MAX_SIDE))
     };
     Ok([side(width)?, side(height)?])
+}
+
+/// The name of a finish, such as `fur`.
+pub(super) fn finish(text: &str) -> Result<FinishKind, String> {
+    let named = FinishKind::NAMES.iter().find(|(name, _)| *name == text).map(|(_, kind)| *kind);
+    let names = || FinishKind::NAMES.map(|(name, _)| name).join(", ");
+    named.ok_or_else(|| format!("allowed: {}", names()))
 }
 
 /// Columns and rows of regions, `CxR`, for example `3x2`.

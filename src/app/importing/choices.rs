@@ -6,6 +6,7 @@ use super::job::Found;
 use crate::app::fields::{pair, reset};
 use crate::document::limits;
 use crate::editor::units::Ruler;
+use crate::finish::Kind as FinishKind;
 use crate::measure::Picture;
 use crate::photo::LEVELS;
 use crate::synth::import::photo::PhotoOptions;
@@ -51,6 +52,7 @@ pub fn choices(ui: &mut Ui, options: &mut PhotoOptions, last: Option<&Found>, la
         smallest(ui, options, last, largest, ruler);
         layers(ui, options, last);
         regions(ui, options, last);
+        finish(ui, options);
     });
     ui.add_space(4.0);
     part(ui, options);
@@ -157,6 +159,23 @@ fn regions(ui: &mut Ui, options: &mut PhotoOptions, last: Option<&Found>) {
     if ui.radio(wanted.all_marks, "none: all marks are drawn").on_hover_text(explained).clicked() {
         (wanted.all_marks, wanted.regions) = (true, None);
     }
+    ui.end_row();
+}
+
+fn finish(ui: &mut Ui, options: &mut PhotoOptions) {
+    named(ui, "Finish", "What the texture is made of");
+    ui.horizontal(|ui| {
+        for (value, text, explained) in [
+            (None, "none", "The texture is painted in flat colours"),
+            (
+                Some(FinishKind::Fur),
+                "fur",
+                "Hair lies as in the photograph, where its fine detail has a direction",
+            ),
+        ] {
+            ui.radio_value(&mut options.finish, value, text).on_hover_text(explained);
+        }
+    });
     ui.end_row();
 }
 

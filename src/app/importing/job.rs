@@ -143,7 +143,7 @@ fn work(
     if worker.is_cancelled() {
         return Ok(None);
     }
-    let document = import_read(&read, path, &options.wanted).map_err(|error| no_sketch(&error));
+    let document = import_read(&read, &opened, path, &options).map_err(|error| no_sketch(&error));
     worker.set_progress(0.95);
     Ok(Some(found(&read, options, document, opened.raster.size, segmented.reference)))
 }
@@ -161,7 +161,7 @@ fn found(
         options,
         picture: reading.picture,
         cut: reading.spots.iter().filter(|spot| !spot.whole).count(),
-        level: reading.segmentation.level,
+        level: reading.level(),
         least: reading.least,
         neither: reading.neither,
         document,

@@ -49,7 +49,7 @@ pub fn axis(lab: &Lab, sigma: f64) -> [f64; 3] {
 }
 
 /// The first eigenvector of the symmetric matrix [xx, xy, xz, yy, yz, zz]; the first axis if the matrix is 0.
-fn first_eigenvector([xx, xy, xz, yy, yz, zz]: [f64; 6]) -> [f64; 3] {
+pub(super) fn first_eigenvector([xx, xy, xz, yy, yz, zz]: [f64; 6]) -> [f64; 3] {
     let mut v = [1.0, 0.2, 0.1];
     for _ in 0..ROUNDS {
         let next = [

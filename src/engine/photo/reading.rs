@@ -1,5 +1,6 @@
 //! The marks of a photograph, in numbers.
 
+use super::rosettes::{self, FoundRosettes};
 use super::segmentation::{Segmentation, segment};
 use super::verdict::{self, CONTRAST, Neither};
 use super::{Raster, smallest, watershed};
@@ -9,8 +10,10 @@ use crate::measure::{Census, Picture, Spot, census, census_of_at_least, check_pi
 /// The marks of a photograph.
 #[derive(Clone, Debug)]
 pub struct Reading {
-    /// Ink and ground; spots that touch are cut apart.
+    /// Ink and ground; spots that touch are cut apart. Of rosettes, what their outlines enclose is ink.
     pub segmentation: Segmentation,
+    /// The rosettes that the marks are; `None` if their marks are solid.
+    pub rosettes: Option<FoundRosettes>,
     /// Spots or stripes, and their attributes; spots that are no ellipses with their raggedness.
     pub picture: Picture,
     /// The separate marks, also those cut by the border.
@@ -28,6 +31,12 @@ impl Reading {
         let Segmentation { field, level, .. } = &self.segmentation;
         let marks = field.values.iter().filter(|value| **value > *level).count();
         marks as f64 / field.values.len().max(1) as f64
+    }
+
+    /// The threshold of the edges of the ink, between 0 (ground) and 1 (marks).
+    #[must_use]
+    pub fn level(&self) -> f32 {
+        self.rosettes.as_ref().map_or(self.segmentation.level, |rosettes| rosettes.level)
     }
 }
 
@@ -73,15 +82,53 @@ pub fn read_segmented(mut segmentation: Segmentation, limits: &Limits) -> Result
 
 fn photograph(mut segmentation: Segmentation, limits: &Limits) -> Result<Reading, Neither> {
     let (picture, census) = marks(&mut segmentation, limits)?;
+    if let Some(reading) = of_rosettes(&segmentation, &picture, &census, limits) {
+        return Ok(reading);
+    }
     let picture = verdict::with_raggedness(picture, &segmentation.field, segmentation.level, &census.spots);
     let neither = verdict::check(&segmentation, &picture, &census.spots).err();
-    Ok(Reading { segmentation, picture, spots: census.spots, least: census.least, neither })
+    Ok(Reading { segmentation, rosettes: None, picture, spots: census.spots, least: census.least, neither })
 }
+
+/// The rosettes of a segmentation, if its marks stand in rings.
+fn of_rosettes(
+    segmentation: &Segmentation,
+    picture: &Picture,
+    blotches: &Census,
+    limits: &Limits,
+) -> Option<Reading> {
+    let is_other = match picture {
+        Picture::Spots { .. } => verdict::are_ellipses(&blotches.spots),
+        Picture::Stripes { got, .. } => verdict::have_direction(got),
+    };
+    if is_other {
+        return None;
+    }
+    let mut ink = segmentation.field.clone();
+    // Blotches that hair joins look like bands, which have not been cut apart.
+    watershed::cut_apart(&mut ink, segmentation.level);
+    let (rosettes, field) = rosettes::found(&ink, segmentation.level)?;
+    let mut segmentation = Segmentation { field, level: OUTLINE, ..segmentation.clone() };
+    let census = counted(&segmentation.field, OUTLINE, limits);
+    let picture = picture_of(&segmentation.field, OUTLINE, &census)?;
+    let Picture::Spots { got, .. } = picture else { return None };
+    segmentation.wavelength = got.spacing.unwrap_or(segmentation.wavelength);
+    let picture = picture.with_raggedness(&segmentation.field, OUTLINE);
+    let neither = verdict::check_tones(&segmentation).err();
+    let (spots, least) = (census.spots, census.least);
+    Some(Reading { segmentation, rosettes: Some(rosettes), picture, spots, least, neither })
+}
+
+/// The threshold of the outlines of rosettes.
+const OUTLINE: f32 = 0.5;
 
 fn pattern(segmentation: Segmentation, limits: &Limits) -> Result<Reading, Neither> {
     let Segmentation { field, level, .. } = &segmentation;
     let census = counted(field, *level, limits);
     let picture = picture_of(field, *level, &census).ok_or(Neither::Noise)?;
+    if let Some(reading) = of_rosettes(&segmentation, &picture, &census, limits) {
+        return Ok(reading);
+    }
     let picture = verdict::with_raggedness(picture, field, *level, &census.spots);
     let wavelength = match picture {
         Picture::Spots { got, .. } => got.spacing.unwrap_or_else(|| 2.0 * got.area.sqrt()),
@@ -89,7 +136,7 @@ fn pattern(segmentation: Segmentation, limits: &Limits) -> Result<Reading, Neith
     };
     let neither = check_picture(field, *level, &picture).err().map(Neither::NotTexture);
     let segmentation = Segmentation { wavelength, ..segmentation };
-    Ok(Reading { segmentation, picture, spots: census.spots, least: census.least, neither })
+    Ok(Reading { segmentation, rosettes: None, picture, spots: census.spots, least: census.least, neither })
 }
 
 /// The marks above `level`.

@@ -4,14 +4,16 @@ use super::lines::{self, Band};
 use super::reading::Reading;
 use super::regions::{Sample, fewest, region_of};
 use super::representatives::{Bounds, representatives};
+use super::rosettes::centres;
 use super::segmentation::Segmentation;
 use super::stops::{Tone, tones};
 use super::{layers, watershed};
-use crate::attributes::Spots;
 use crate::attributes::spacing::{WeightedEdge, mean_length, neighbours};
+use crate::attributes::{Spots, Spread};
 use crate::grid::Field;
 use crate::marks::{Ellipse, Mark};
 use crate::measure::{Directions, Picture, Regions, is_circle_covered, usual_area, widths};
+use crate::points::rosettes::Rosettes;
 
 /// Options for a sketch; by default everything follows from the photograph.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -46,6 +48,10 @@ pub struct FoundLayer {
     pub found: usize,
     /// The mean raggedness of their edges, at least 1; `None` if they are smooth.
     pub raggedness: Option<f64>,
+    /// How much spots vary within their regions; `None` if there are too few to tell.
+    pub spread: Option<Spread>,
+    /// What marks that are rosettes are like; their outlines are the marks.
+    pub rosettes: Option<Rosettes>,
     /// Colours, ascending by pattern value; empty for a pattern without colours.
     pub tones: Vec<Tone>,
 }
@@ -127,12 +133,21 @@ fn of_spots(reading: &Reading, size: [usize; 2], wanted: &Wanted, raggedness: Op
             by_region(spots, size, regions, is_large, &ink)
         };
         let counts = |cell: usize| by_cell.as_ref().is_none_or(|areas| holds(range, areas[cell]));
+        let (tones, rosettes) = match &reading.rosettes {
+            None => (colours(reading, counts), None),
+            Some(rosettes) => {
+                let (tones, like) = centres::tones(reading.segmentation.lab.as_deref(), rosettes);
+                (tones, Some(like))
+            }
+        };
         FoundLayer {
             name,
             marks: ellipses.into_iter().map(Mark::Ellipse).collect(),
             found,
             raggedness,
-            tones: colours(reading, counts),
+            spread: spread(spots, size, regions),
+            rosettes,
+            tones,
         }
     });
     Sketch {
@@ -163,6 +178,22 @@ fn samples_of_spots(spots: &[crate::measure::Spot], size: [usize; 2]) -> Vec<Sam
         }
     };
     spots.iter().filter(|spot| spot.whole).map(|spot| sample(&spot.ellipse)).collect()
+}
+
+/// Fewest whole spots whose spread says more than that of the drawn ones.
+const VARIED: usize = 12;
+
+/// How much the whole spots vary about the means of their regions: the mean over the regions, by their numbers of spots.
+fn spread(spots: &[crate::measure::Spot], size: [usize; 2], regions: [usize; 2]) -> Option<Spread> {
+    let mut whole = vec![Vec::new(); regions[0] * regions[1]];
+    for spot in spots.iter().filter(|spot| spot.whole) {
+        whole[region_of(share(spot.ellipse.center, size), regions)].push(spot.ellipse);
+    }
+    let count = whole.iter().map(Vec::len).sum::<usize>();
+    let sum = whole.iter().filter(|spots| !spots.is_empty()).fold(Spread::ZERO, |sum, spots| {
+        sum.with(&Spread::measure(spots), |sum, one| sum + one * spots.len() as f64 / count as f64)
+    });
+    (count >= VARIED).then_some(sum)
 }
 
 /// Representatives of each region. Spots with a place between them that marks of another layer have `taken` are no neighbours, as
@@ -225,7 +256,7 @@ fn dense_ink(reading: &Reading, size: [usize; 2], regions: [usize; 2]) -> Vec<f6
 /// The stops of the marks for which `counts` holds.
 fn colours(reading: &Reading, counts: impl Fn(usize) -> bool) -> Vec<Tone> {
     let segmentation = &reading.segmentation;
-    let of = |lab| tones(lab, &segmentation.field, segmentation.level, counts);
+    let of = |lab| tones(lab, &segmentation.field, segmentation.level, counts, |_| false).tones;
     segmentation.lab.as_deref().map_or_else(Vec::new, of)
 }
 
@@ -266,6 +297,8 @@ fn of_stripes(reading: &Reading, size: [usize; 2], wanted: &Wanted, found: usize
         marks: paths.into_iter().map(Mark::Path).collect(),
         found,
         raggedness: None,
+        spread: None,
+        rosettes: None,
         tones: colours(reading, |_| true),
     };
     Sketch { regions: (!wanted.all_marks).then_some(regions), layers: vec![layer], between: None }

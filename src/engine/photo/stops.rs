@@ -35,39 +35,58 @@ const QUANTILE: f64 = 0.95;
 /// Number of cells that are sampled: a median of so many is accurate to a step of 8 bits.
 const ENOUGH: usize = 1 << 19;
 
-/// The stops of the marks above `level` in `field` for whose cells `counts` holds, on the ground around all marks.
+/// Stops, and the light that was divided out of their colours.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Tones {
+    /// The stops, ascending; empty where there are no marks, or no ground.
+    pub tones: Vec<Tone>,
+    /// The light; `None` without stops.
+    pub light: Option<Light>,
+}
+
+/// The stops of the marks above `level` in `field` for whose cells `counts` holds, on the ground around all marks; cells that are
+/// `enclosed` by marks do not count as ground.
 #[must_use]
-pub fn tones(lab: &Lab, field: &Field, level: f32, counts: impl Fn(usize) -> bool) -> Vec<Tone> {
+pub fn tones(
+    lab: &Lab,
+    field: &Field,
+    level: f32,
+    counts: impl Fn(usize) -> bool,
+    enclosed: impl Fn(usize) -> bool,
+) -> Tones {
     let grid = field.grid();
     let is_mark: Vec<bool> = field.values.iter().map(|value| *value > level).collect();
     let is_ground: Vec<bool> = is_mark.iter().map(|mark| !mark).collect();
     let (Some(to_mark), Some(to_ground)) = (nearest(&is_mark, &grid), nearest(&is_ground, &grid)) else {
-        return Vec::new();
+        return Tones::default();
     };
     let unit = grid.cell[0];
     let out = |cell: usize| length(to_mark[cell], &grid) / unit;
     let into = |cell: usize| length(to_ground[cell], &grid) / unit;
     let cells = (0..is_mark.len()).step_by(stride(is_mark.len(), lab.size[0]));
-    let ground: Vec<(f64, usize)> =
-        cells.clone().filter(|cell| is_ground[*cell]).map(|cell| (out(cell), cell)).collect();
+    let ground = cells.clone().filter(|cell| is_ground[*cell] && !enclosed(*cell));
+    let ground: Vec<(f64, usize)> = ground.map(|cell| (out(cell), cell)).collect();
     let marks = cells.filter(|cell| is_mark[*cell] && counts(*cell));
     let marks: Vec<(f64, usize)> = marks.map(|cell| (into(cell), cell)).collect();
     let [near_ground, far_ground] = near_and_far(&ground);
     let [near_mark, far_mark] = near_and_far(&marks);
     let light = Light::of(lab, [&far_ground, &far_mark]);
-    let is_other: Vec<bool> = is_mark.iter().enumerate().map(|(cell, mark)| *mark && !counts(cell)).collect();
-    let is_counted: Vec<bool> = is_mark.iter().zip(&is_other).map(|(mark, other)| *mark && !other).collect();
+    let is_counted: Vec<bool> =
+        is_mark.iter().enumerate().map(|(cell, mark)| *mark && counts(cell)).collect();
+    let other = |(cell, mark): (usize, &bool)| if *mark { !counts(cell) } else { enclosed(cell) };
+    let is_other: Vec<bool> = is_mark.iter().enumerate().map(other).collect();
     let shares = Shares::of_marks(lab, &is_counted, &is_other, &light);
     let [near, far] = [[&near_ground, &near_mark], [&far_ground, &far_mark]].map(|[ground, marks]| {
         let colours = [ground, marks].map(|cells| median(lab, &light, cells));
         shares.separated([ground, marks], colours)
     });
-    [(far[0], &far_ground), (near[0], &near_ground), (near[1], &near_mark), (far[1], &far_mark)]
+    let tones = [(far[0], &far_ground), (near[0], &near_ground), (near[1], &near_mark), (far[1], &far_mark)]
         .iter()
         .zip(AT)
         .filter(|((_, cells), _)| !cells.is_empty())
         .map(|((colour, _), at)| Tone { at, colour: srgb_of_oklab(*colour) })
-        .collect()
+        .collect();
+    Tones { tones, light: Some(light) }
 }
 
 /// The step between sampled cells, of `cells` in rows of `width`, so that enough cells are sampled, and in all columns.
@@ -136,7 +155,7 @@ mod tests {
             field.values.iter().enumerate().map(mixed).collect()
         });
         let lab = Lab { size, factor: 1, planes };
-        let found = tones(&lab, &field, 0.5, |_| true);
+        let found = tones(&lab, &field, 0.5, |_| true, |_| false).tones;
         assert_eq!(found.iter().map(|tone| tone.at).collect::<Vec<_>>(), AT);
         for (tone, wanted) in found.iter().zip([sand, sand, brown, brown]) {
             let off = (0..3).map(|k| tone.colour[k].abs_diff(wanted[k])).max().unwrap();

@@ -2,7 +2,7 @@
 
 use super::Segmentation;
 use crate::grid::Field;
-use crate::measure::{NotTexture, Picture, Spot, check_picture};
+use crate::measure::{NotTexture, Picture, Spot, StripeStatistics, check_picture};
 
 /// The reason why a photograph shows neither spots nor stripes.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -72,13 +72,7 @@ const COHERENCE: f64 = 0.7;
 /// # Errors
 /// The first [`Neither`] that applies.
 pub fn check(segmentation: &Segmentation, picture: &Picture, spots: &[Spot]) -> Result<(), Neither> {
-    let Segmentation { contrast, uneven, .. } = *segmentation;
-    if contrast < CONTRAST {
-        return Err(Neither::Contrast { contrast });
-    }
-    if uneven > UNEVEN {
-        return Err(Neither::Uneven { uneven });
-    }
+    check_tones(segmentation)?;
     match picture {
         Picture::Spots { marks, raggedness, .. } => {
             if *marks < SPOTS {
@@ -90,7 +84,7 @@ pub fn check(segmentation: &Segmentation, picture: &Picture, spots: &[Spot]) -> 
             }
         }
         Picture::Stripes { got, .. } => {
-            if got.coherence < COHERENCE {
+            if !have_direction(got) {
                 return Err(Neither::NoDirection { coherence: got.coherence });
             }
         }
@@ -98,10 +92,35 @@ pub fn check(segmentation: &Segmentation, picture: &Picture, spots: &[Spot]) -> 
     Ok(check_picture(&segmentation.field, segmentation.level, picture)?)
 }
 
+/// Checks that marks and ground have one tone each.
+///
+/// # Errors
+/// [`Neither::Contrast`] or [`Neither::Uneven`].
+pub fn check_tones(segmentation: &Segmentation) -> Result<(), Neither> {
+    let Segmentation { contrast, uneven, .. } = *segmentation;
+    if contrast < CONTRAST {
+        return Err(Neither::Contrast { contrast });
+    }
+    if uneven > UNEVEN {
+        return Err(Neither::Uneven { uneven });
+    }
+    Ok(())
+}
+
+/// Whether stripes have a direction.
+pub fn have_direction(stripes: &StripeStatistics) -> bool {
+    stripes.coherence >= COHERENCE
+}
+
+/// Whether spots are ellipses.
+pub fn are_ellipses(spots: &[Spot]) -> bool {
+    mean_fill(spots) >= FILL
+}
+
 /// The measurements with the raggedness of spots that are no ellipses.
 #[must_use]
 pub fn with_raggedness(picture: Picture, field: &Field, level: f32, spots: &[Spot]) -> Picture {
-    if mean_fill(spots) < FILL { picture.with_raggedness(field, level) } else { picture }
+    if are_ellipses(spots) { picture } else { picture.with_raggedness(field, level) }
 }
 
 fn is_ragged(fill: f64, raggedness: Option<f64>) -> bool {

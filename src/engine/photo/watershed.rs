@@ -160,7 +160,7 @@ fn flood(cells: &[usize], far: impl Fn(usize) -> f32, size: [usize; 2], parts: &
 }
 
 /// Area ÷ area of the ellipse with equal second moments: 1 for an ellipse.
-fn fill(cells: impl Iterator<Item = usize>, width: usize) -> f64 {
+pub(super) fn fill(cells: impl Iterator<Item = usize>, width: usize) -> f64 {
     let mut moments = Moments::default();
     for at in cells {
         let (x, y) = ((at % width) as f64, (at / width) as f64);

@@ -3,6 +3,7 @@
 mod degrade;
 mod figures;
 mod others;
+mod pelts;
 mod random;
 mod round_trip;
 mod textures;

@@ -13,6 +13,7 @@ use crate::document::{Colours, Document, embedded};
 use crate::grid::{Edges, Field};
 use crate::measure::{Picture, otsu_threshold, patches};
 use crate::photo::{self, Corners, Crop, Limits, Neither, Raster, Reading, Segmentation};
+use crate::points::rosettes::Rosettes;
 use crate::synth::memory;
 use crate::synth::pattern::EDGE;
 
@@ -236,10 +237,7 @@ pub fn read_stream(
     framing: &Framing,
     free: Option<f64>,
 ) -> Result<ReadPicture, MeasureError> {
-    // This call is never cancelled.
-    let segmented = open_stream(stream, path, free)?.segmented(path, framing, &|_| true)?;
-    let Some(segmented) = segmented else { return Err(neither(path, Neither::Noise)) };
-    segmented.read(path, &framing.limits)
+    open_stream(stream, path, free)?.read(path, framing)
 }
 
 /// Decodes a picture.
@@ -269,6 +267,17 @@ pub fn open_stream(
 }
 
 impl OpenedPicture {
+    /// Reads what the part that `framing` names shows, even if it is no texture.
+    ///
+    /// # Errors
+    /// The part is not in the picture, or has no marks at all.
+    pub fn read(&self, path: &Path, framing: &Framing) -> Result<ReadPicture, MeasureError> {
+        // This call is never cancelled.
+        let segmented = self.segmented(path, framing, &|_| true)?;
+        let Some(segmented) = segmented else { return Err(neither(path, Neither::Noise)) };
+        segmented.read(path, &framing.limits)
+    }
+
     /// Separates marks and ground in the part that is read. Between its steps it calls `goes_on` with the share that is done; the
     /// result is `None` if that returns false. [`Framing::limits`] are not used.
     ///
@@ -332,8 +341,19 @@ impl SegmentedPicture {
     pub fn read(self, path: &Path, limits: &Limits) -> Result<ReadPicture, MeasureError> {
         let reading = photo::read_segmented(self.segmentation, limits);
         let reading = reading.map_err(|reason| neither(path, reason))?;
-        Ok(ReadPicture { size: self.size, dpi: self.dpi, reading, notes: self.notes })
+        let mut notes = self.notes;
+        notes.extend(reading.rosettes.as_ref().map(|rosettes| in_words(&rosettes.like)));
+        Ok(ReadPicture { size: self.size, dpi: self.dpi, reading, notes })
     }
+}
+
+/// What the rosettes of a picture are like.
+fn in_words(like: &Rosettes) -> String {
+    let [least, most] = like.parts;
+    let parts = if least == most { least.to_string() } else { format!("{least} to {most}") };
+    let width = like.width.unwrap_or_default();
+    let solid = 100.0 * like.solid;
+    format!("the spots are rosettes of {parts} blotches about {width:.1} px deep; {solid:.0} % are solid")
 }
 
 fn neither(path: &Path, reason: Neither) -> MeasureError {

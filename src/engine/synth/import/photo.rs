@@ -3,14 +3,18 @@
 use std::io::{BufRead, Seek};
 use std::path::{Path, PathBuf};
 
-use crate::attributes::{Attributes, Spots};
+use crate::attributes::{Attributes, Spots, Spread};
 use crate::document::{
-    AreaKind, Colours, Document, DocumentError, Layer, LayerOptions, RaggedChoice, SystemChoice, limits,
+    AreaKind, Colours, Document, DocumentError, Finishing, FlowChoice, Layer, LayerOptions, RaggedChoice,
+    Rosettes, SpreadChoice, SystemChoice, limits,
 };
-use crate::marks::Mark;
+use crate::finish;
+use crate::marks::{Line, Mark};
 use crate::measure::Picture;
-use crate::photo::{DENSE, FoundLayer, Limits, Neither, Reading, Tone, Wanted, sketch};
-use crate::synth::import::measured_picture::{Framing, MeasureError, ReadPicture, read_stream};
+use crate::photo::{DENSE, FoundLayer, Hair, Limits, Neither, Reading, Tone, Wanted, hair, sketch};
+use crate::synth::import::measured_picture::{
+    Framing, MeasureError, OpenedPicture, ReadPicture, open_stream,
+};
 use crate::synth::import::svg::stroke;
 use crate::synth::marks::plan::raggedness::sigma_of;
 
@@ -51,6 +55,8 @@ pub struct PhotoOptions {
     pub wanted: Wanted,
     /// Whether the marks are taken even if they do not form a texture.
     pub take_it: bool,
+    /// The finish of the document; that of fur has the direction of the hair in the photograph, if it has one.
+    pub finish: Option<finish::Kind>,
 }
 
 /// A document made of a photograph.
@@ -83,9 +89,11 @@ pub fn import_photo(
     free: Option<f64>,
 ) -> Result<ImportedPhoto, PhotoImportError> {
     let limits = Limits { among_specks: options.take_it, ..options.framing.limits };
-    let read = read_stream(stream, path, &Framing { limits, ..options.framing }, free)?;
+    let framing = Framing { limits, ..options.framing };
+    let opened = open_stream(stream, path, free)?;
+    let read = opened.read(path, &framing)?;
     let read = if options.take_it { read } else { read.texture(path).map_err(PhotoImportError::Neither)? };
-    import_read(&read, path, &options.wanted)
+    import_read(&read, &opened, path, options)
 }
 
 /// Makes a document from the marks that were read in the photograph `path`, even if they do not form a texture.
@@ -94,17 +102,47 @@ pub fn import_photo(
 /// [`PhotoImportError`].
 pub fn import_read(
     read: &ReadPicture,
+    opened: &OpenedPicture,
     path: &Path,
-    wanted: &Wanted,
+    options: &PhotoOptions,
 ) -> Result<ImportedPhoto, PhotoImportError> {
     let neither = read.reading.neither;
-    let (document, found, between) = document(read, wanted, path)?;
+    let (mut document, found, between) = document(read, &options.wanted, path)?;
+    let mut notes = read.notes.clone();
+    if let Some(kind) = options.finish {
+        let flow = if kind == finish::Kind::Fur {
+            let raster = opened.framed(path, &options.framing)?;
+            flow(hair(&raster, &read.reading, FlowChoice::HEAD_TO_TAIL), document.size, &mut notes)
+        } else {
+            FlowChoice::Usual
+        };
+        document.finish = Some(Finishing { flow, ..finish::Finish::new(kind).into() });
+    }
     let kind = match read.reading.picture {
         Picture::Spots { .. } => "spots",
         Picture::Stripes { .. } => "stripes",
     };
     let summary = summary(&document, kind, &found, neither);
-    Ok(ImportedPhoto { document, kind, found, between, neither, notes: read.notes.clone(), summary })
+    Ok(ImportedPhoto { document, kind, found, between, neither, notes, summary })
+}
+
+/// The direction of hair in a document of this size; `notes` get what was found.
+fn flow(hair: Option<Hair>, size: [u32; 2], notes: &mut Vec<String>) -> FlowChoice {
+    match hair {
+        None => {
+            notes.push("no direction of hair was found in the fine detail".to_owned());
+            FlowChoice::Usual
+        }
+        Some(Hair::Angle(angle)) => {
+            notes.push(format!("hair lies at {angle:.0}°, or the other way round"));
+            FlowChoice::Angle((10.0 * angle).round() / 10.0)
+        }
+        Some(Hair::Lines(lines)) => {
+            notes.push(format!("hair lies along {} lines, or the other way round", lines.len()));
+            let line = |[from, to]: [[f64; 2]; 2]| stroke(&Mark::Line(Line { from, to, width: 0.0 }), size);
+            FlowChoice::Strokes(lines.into_iter().filter_map(line).collect())
+        }
+    }
 }
 
 fn document(
@@ -133,10 +171,12 @@ fn document(
     Ok((document, found, sketch.between))
 }
 
-/// Sets the system of layers whose spots are too dense for reaction and diffusion, if the few drawn spots do not show the density.
+/// Sets the system of layers of rosettes, and of those whose spots are too dense for reaction and diffusion, if the few drawn spots do
+/// not show the density.
 fn name_dense(document: &mut Document, reading: &Reading) {
     let Picture::Spots { .. } = reading.picture else { return };
-    if document.layers.len() == 1 && reading.ink() > DENSE && document.areas(0).is_none() {
+    let is_dense = reading.ink() > DENSE && document.areas(0).is_none();
+    if document.layers.len() == 1 && (is_dense || reading.rosettes.is_some()) {
         document.layers[0].system = SystemChoice::Of(AreaKind::Patches.description());
     }
 }
@@ -145,8 +185,29 @@ fn layer(found: &FoundLayer, size: [u32; 2]) -> Layer {
     let strokes = found.marks.iter().filter_map(|mark| stroke(mark, size)).collect();
     let colours = (!found.tones.is_empty())
         .then(|| Colours::new(found.tones.iter().map(|Tone { at, colour }| (*at, *colour))));
-    let options = LayerOptions { ragged: ragged(found), ..LayerOptions::default() };
+    let options = LayerOptions {
+        ragged: ragged(found),
+        spread: found.spread.map_or(SpreadChoice::Drawn, |spread| SpreadChoice::Given(limited(&spread))),
+        rosette: found
+            .rosettes
+            .map(|rosettes| Rosettes { width: rosettes.width.map(|px| hundredths(px.max(2.0))), ..rosettes }),
+        ..LayerOptions::default()
+    };
     Layer { name: found.name.to_owned(), strokes, colours, options, ..Layer::default() }
+}
+
+/// A spread within the allowed range.
+fn limited(spread: &Spread) -> Spread {
+    Spread {
+        area: hundredths(spread.area.min(limits::SPREAD_AREA.high)),
+        angle: hundredths(spread.angle.min(limits::SPREAD_ANGLE.high)),
+        aspect: hundredths(spread.aspect.min(limits::SPREAD_ASPECT.high)),
+        spacing: hundredths(spread.spacing.min(limits::SPREAD_SPACING.high)),
+    }
+}
+
+fn hundredths(value: f64) -> f64 {
+    (100.0 * value).round() / 100.0
 }
 
 /// The raggedness that marks are to have: that of the marks that were found, limited to the allowed range.
@@ -158,7 +219,7 @@ fn ragged(found: &FoundLayer) -> RaggedChoice {
     let mean = Spots::measure(&ellipses.collect::<Vec<_>>());
     let (Some(mean), Some(raggedness)) = (mean, found.raggedness) else { return RaggedChoice::Drawn };
     let sigma = sigma_of(&Attributes::Spots(mean), raggedness).min(limits::RAGGED.high);
-    RaggedChoice::Given((100.0 * sigma).round() / 100.0)
+    RaggedChoice::Given(hundredths(sigma))
 }
 
 /// The marks that were found, in words.
