@@ -142,3 +142,33 @@ fn flat_colours_have_no_direction_of_hair() {
     done(folder.path(), "import a.jpg -o b.dapple -q");
     assert!(read_document(folder.path(), "b.dapple").finish.is_none());
 }
+
+#[test]
+fn a_ground_of_two_colours_comes_back_at_its_places() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let ramp = image::GrayImage::from_fn(16, 2, |x, _| image::Luma([(x * 17) as u8]));
+    ramp.save(folder.path().join("ramp.png")).expect("written");
+    let colours = r##""colours": {"stops": [{"at": 0, "colour": "#c87830"}, {"at": 0.45, "colour": "#c87830"}, {"at": 0.55, "colour": "#1c120c"}], "ground": "#f4ecdc"}"##;
+    fs::write(folder.path().join("a.dapple"), pelt(&format!("{{{STROKES}, {colours}}}")).to_json())
+        .expect("written");
+    done(folder.path(), "grow a.dapple -o a.png --map ground=ramp.png:0:1 -q");
+    done(folder.path(), "import a.png -o b.dapple -q");
+    let sketch = read_document(folder.path(), "b.dapple");
+    assert!(sketch.layers[0].maps.get(dapple::document::MapKey::Ground).is_some());
+    // The lightest px of the left and of the right quarter are ground.
+    let sides = |picture: &RgbImage| {
+        [0, picture.width() * 3 / 4].map(|left| {
+            let px =
+                picture.enumerate_pixels().filter(|(x, _, _)| (left..left + picture.width() / 4).contains(x));
+            let mut green: Vec<u8> = px.map(|(_, _, px)| px.0[1]).collect();
+            green.sort_unstable();
+            f64::from(green[green.len() * 3 / 4])
+        })
+    };
+    let before = sides(&image::open(folder.path().join("a.png")).expect("a picture").into_rgb8());
+    let after = sides(&grown(&sketch));
+    assert!(before[1] - before[0] > 60.0, "{before:?}");
+    for (before, after) in before.iter().zip(&after) {
+        assert!((before - after).abs() < 20.0, "{before} {after}");
+    }
+}

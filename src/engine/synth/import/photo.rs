@@ -5,13 +5,16 @@ use std::path::{Path, PathBuf};
 
 use crate::attributes::{Attributes, Spots, Spread};
 use crate::document::{
-    AreaKind, Colours, Document, DocumentError, Finishing, FlowChoice, Layer, LayerOptions, RaggedChoice,
-    Rosettes, SpreadChoice, SystemChoice, limits,
+    AreaKind, Colours, Document, DocumentError, Finishing, FlowChoice, Layer, LayerMap, LayerOptions, MapKey,
+    MapSource, RaggedChoice, Rosettes, SpreadChoice, SystemChoice, ToneImage, limits,
 };
 use crate::finish;
 use crate::marks::{Line, Mark};
 use crate::measure::Picture;
-use crate::photo::{DENSE, FoundLayer, Hair, Limits, Neither, Reading, Tone, Wanted, hair, sketch};
+use crate::photo::{
+    DENSE, FoundLayer, GroundColours, Hair, Limits, Neither, Reading, Tone, Wanted, ground_colours, hair,
+    sketch,
+};
 use crate::synth::import::measured_picture::{
     Framing, MeasureError, OpenedPicture, ReadPicture, open_stream,
 };
@@ -167,6 +170,9 @@ fn document(
         Document { name: name.unwrap_or_default(), size, regions, layers, ..Document::default() };
     document.dpi = read.dpi.unwrap_or(document.dpi);
     name_dense(&mut document, &read.reading);
+    if let (Some(found), Some(layer)) = (ground_colours(&read.reading), document.layers.last_mut()) {
+        vary_ground(layer, &found);
+    }
     document.check(&path.display().to_string())?;
     Ok((document, found, sketch.between))
 }
@@ -179,6 +185,21 @@ fn name_dense(document: &mut Document, reading: &Reading) {
     if document.layers.len() == 1 && (is_dense || reading.rosettes.is_some()) {
         document.layers[0].system = SystemChoice::Of(AreaKind::Patches.description());
     }
+}
+
+/// Gives the ground of `layer`, which paints it, the two colours that were found, and their places.
+fn vary_ground(layer: &mut Layer, found: &GroundColours) {
+    let px = found.places.iter().map(|place| (255.0 * place.clamp(0.0, 1.0)).round() as u8);
+    let (Some(image), Some(colours)) = (ToneImage::new(found.size, px.collect()), &mut layer.colours) else {
+        return;
+    };
+    let [first, second] = found.ends;
+    for stop in colours.stops.iter_mut().filter(|stop| stop.at < 0.5) {
+        stop.colour = first;
+    }
+    colours.ground = second;
+    let source = MapSource::Image { image, factor: false };
+    layer.maps.set(MapKey::Ground, Some(LayerMap { source, range: [0.0, 1.0] }));
 }
 
 fn layer(found: &FoundLayer, size: [u32; 2]) -> Layer {
