@@ -49,7 +49,7 @@ pub enum Edit {
     /// Set or remove the tone of a layer.
     LayerTone(usize, Option<Tone>),
     /// Set the maps of a layer.
-    LayerMaps(usize, LayerMaps),
+    LayerMaps(usize, Box<LayerMaps>),
     /// Set the colours of layers; `None` = the default colours of each.
     Colours(Vec<usize>, Option<Colours>),
 }
@@ -74,7 +74,7 @@ impl Session {
             Edit::LayerPoints(layer, points) => self.edit(|document| scatter(document, layer, points)),
             Edit::Drive(image) => self.drive(image),
             Edit::LayerTone(layer, tone) => self.change_layer(layer, |layer| layer.tone = tone),
-            Edit::LayerMaps(layer, maps) => self.change_layer(layer, |layer| layer.maps = maps),
+            Edit::LayerMaps(layer, maps) => self.change_layer(layer, |layer| layer.maps = *maps),
             Edit::Colours(layers, colours) => self.edit(|document| colour(document, &layers, &colours)),
         }
     }

@@ -39,7 +39,7 @@ impl PictureUse {
             Self::Map(key) => {
                 let mut maps = layer?.maps.clone();
                 maps.set(key, Some(LayerMap::picture(key, image)));
-                Edit::LayerMaps(index, maps)
+                Edit::LayerMaps(index, Box::new(maps))
             }
             Self::Tone => Edit::Drive(image),
         })

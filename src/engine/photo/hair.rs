@@ -82,7 +82,7 @@ fn apart(reading: &Reading, lab: &Lab) -> Vec<bool> {
     let class =
         |cell: usize| above(field, *level, cell) + 2 * ink.map_or(0, |(ink, level)| above(ink, level, cell));
     let is_edge = |cell: usize| {
-        let right = (cell + 1) % field.width != 0 && class(cell) != class(cell + 1);
+        let right = !(cell + 1).is_multiple_of(field.width) && class(cell) != class(cell + 1);
         right || cell + field.width < field.values.len() && class(cell) != class(cell + field.width)
     };
     let edges: Vec<bool> = (0..field.values.len()).map(is_edge).collect();

@@ -133,13 +133,7 @@ fn of_spots(reading: &Reading, size: [usize; 2], wanted: &Wanted, raggedness: Op
             by_region(spots, size, regions, is_large, &ink)
         };
         let counts = |cell: usize| by_cell.as_ref().is_none_or(|areas| holds(range, areas[cell]));
-        let (tones, rosettes) = match &reading.rosettes {
-            None => (colours(reading, counts), None),
-            Some(rosettes) => {
-                let (tones, like) = centres::tones(reading.segmentation.lab.as_deref(), rosettes);
-                (tones, Some(like))
-            }
-        };
+        let (tones, rosettes) = appearance(reading, counts);
         FoundLayer {
             name,
             marks: ellipses.into_iter().map(Mark::Ellipse).collect(),
@@ -154,6 +148,17 @@ fn of_spots(reading: &Reading, size: [usize; 2], wanted: &Wanted, raggedness: Op
         regions: (!wanted.all_marks).then_some(regions),
         layers: layers.filter(|layer| !layer.marks.is_empty()).collect(),
         between,
+    }
+}
+
+/// The colours of the marks that count, and what they are like as rosettes.
+fn appearance(reading: &Reading, counts: impl Fn(usize) -> bool) -> (Vec<Tone>, Option<Rosettes>) {
+    match &reading.rosettes {
+        None => (colours(reading, counts), None),
+        Some(rosettes) => {
+            let (tones, like) = centres::tones(reading.segmentation.lab.as_deref(), rosettes);
+            (tones, Some(like))
+        }
     }
 }
 

@@ -40,7 +40,7 @@ pub(super) fn rows(ui: &mut Ui, session: &Session, layer: &Layer) -> Vec<Action>
         "Noise or a gray picture changes the texture from place to place: sizes, distances, directions, colours",
     );
     if maps != layer.maps {
-        actions.push(Action::Edit(Edit::LayerMaps(session.active_layer, maps)));
+        actions.push(Action::Edit(Edit::LayerMaps(session.active_layer, Box::new(maps))));
     }
     actions
 }
