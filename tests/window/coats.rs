@@ -1,5 +1,6 @@
 //! What coats have beyond their marks, set in the window: halo, second colour of the ground, warp, mottling, marks near those beneath.
 
+use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 
@@ -15,7 +16,8 @@ fn document() -> Document {
 }
 
 fn type_number(hand: &mut Hand, field: &str, text: &str) {
-    hand.reach(field);
+    hand.window.get_by_role_and_label(Role::SpinButton, field).scroll_to_me();
+    hand.window.run_steps(60);
     hand.type_into(field, text);
     hand.rest();
 }
@@ -50,6 +52,7 @@ fn the_ground_the_warp_and_the_mottling_are_set_in_the_tab_of_colours_and_undone
 #[test]
 fn a_layer_above_another_grows_near_its_marks_as_far_as_one_sets() {
     let (mut hand, _folder, _) = hand_with(&document());
+    hand.press("How it grows");
     hand.reach("Grows: Near");
     hand.rest();
     assert_eq!(hand.document().layers[1].after, After::Near);
