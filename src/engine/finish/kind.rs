@@ -82,7 +82,8 @@ impl Kind {
     }
 
     /// Factor of its tone, so that a gray picture keeps its mean: gaps between hairs, threads and scales, and what lies in the shade,
-    /// make it darker by as much. Ink and print mix colours with the paper and keep theirs.
+    /// make it darker by as much: measured at the usual sizes on a tile of 256 × 256 px. Ink and print mix colours with the paper and keep
+    /// theirs.
     #[must_use]
     pub(super) fn exposure(self) -> f32 {
         match self {

@@ -134,7 +134,7 @@ mod tests {
 
     const SIDE: usize = 240;
 
-    /// Discs of radius 3, every 12 px, and a stripe of marks beneath at the left, 20 px wide.
+    /// Discs of radius 3, every 12 px, and a mark beneath along the left side, 2 px wide.
     fn discs() -> (Field, Vec<bool>) {
         let field = Field::from_fn([SIDE; 2], [1.0; 2], Edges::Wrap, |[x, y]| {
             let off = f64::hypot((x % 12.0) - 6.0, (y % 12.0) - 6.0);

@@ -101,7 +101,7 @@ fn warped_marks_keep_their_number_their_mean_area_and_the_report() {
     let [one, other] = labels.map(|(_, labels)| labels);
     let moved = one.iter().zip(&other).filter(|(a, b)| a != b).count();
     assert!(moved > one.len() / 20, "{moved}");
-    // As many threads as one likes, and the outlines too.
+    // The number of threads changes nothing. Outlines are bent, too.
     folder.grow("--threads 3 --pattern q.png --svg o.svg --no-document");
     assert!(folder.bytes("p.png") == folder.bytes("q.png"));
     plain.grow("--svg o.svg --no-document");
@@ -136,7 +136,7 @@ fn marks_near_those_beneath_are_some_of_those_that_grow_between_them() {
     let [all, some] = [&between, &near].map(|folder| folder.pattern("p.png", Edges::Wrap).values);
     let ink = |pattern: &[f32]| pattern.iter().filter(|value| **value >= 0.5).count();
     assert!(ink(&some) * 5 < ink(&all) * 4 && ink(&some) > 200, "{} {}", ink(&all), ink(&some));
-    // Next to nothing is where nothing was.
+    // No mark is where none was before.
     let new = all.iter().zip(&some).filter(|(all, some)| **all < 0.45 && **some >= 0.5).count();
     assert_eq!(new, 0);
 }
