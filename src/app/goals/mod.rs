@@ -217,8 +217,8 @@ impl Goals {
 
 /// Whether two documents have the same picture.
 fn shown_alike(a: &Document, b: &Document) -> bool {
-    let colours = |of: &Document| -> Vec<_> {
-        of.layers.iter().map(|layer| (layer.colours.clone(), layer.visible)).collect()
+    let looks = |of: &Document| -> Vec<_> {
+        of.layers.iter().map(|layer| (layer.colours.clone(), layer.maps.clone(), layer.visible)).collect()
     };
-    colours(a) == colours(b) && essence(a) == essence(b)
+    looks(a) == looks(b) && a.warp == b.warp && essence(a) == essence(b)
 }
