@@ -1,5 +1,6 @@
 //! Skin and leather on a surface: irregular grains of two sizes around scattered seeds.
 
+use super::balance::Carried;
 use super::reach::SurfaceReach;
 use super::scattered::apart;
 use super::seeds::{Metric, Nearest, Seeds, carried};
@@ -53,6 +54,12 @@ impl Grains {
             folds: SolidNoise::new(5.0 * size, part(51)),
             bend,
         }
+    }
+
+    /// Carries colours this share of their way.
+    pub fn carry(&mut self, carried: Carried) {
+        // Small grains only show where edges are.
+        self.large.carry(carried);
     }
 
     /// The look `off` px beside a place of this colour; without colours where that is not known.

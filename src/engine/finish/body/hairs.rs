@@ -2,13 +2,14 @@
 
 use rayon::prelude::*;
 
+use super::balance::Carried;
 use super::buckets::{Buckets, Reached};
 use super::reach::SurfaceReach;
 use super::scattered::scattered;
 use super::solid::SolidNoise;
-use super::source::{OUTSIDE, Place, SurfaceSource, single};
+use super::source::{OUTSIDE, Place, SurfaceSource, is_ink, single};
 use crate::finish::flow::turned;
-use crate::finish::hair::{self, Hair, LAYERS, OnHair};
+use crate::finish::hair::{self, ANCHOR, Hair, LAYERS, OnHair};
 use crate::finish::noise::{Random, part_seed};
 use crate::finish::surfel::Surfel;
 use crate::surface::SurfacePoint;
@@ -42,9 +43,12 @@ struct Rooted {
     root: [f32; 3],
     /// Its direction, to its side, and outwards.
     axes: [[f32; 3]; 3],
-    /// Its colours from root to tip: the first of them, and how many.
+    /// The colours of the surface from its root to its tip: the first of them, and how many; one where all have that of its anchor.
     first: u32,
     count: u32,
+    /// How far the colour of its anchor may be carried to its ends ÷ the way to them, and how far it is.
+    reach: f32,
+    carried: f32,
 }
 
 /// The lowest and the highest height of fur of this mean length.
@@ -78,27 +82,26 @@ impl Growing<'_> {
         let along = plus(times(flow, cos), times(cross(place.normal, flow), sin));
         let shade = self.shade.map(|noise| noise.at(root));
         let hair = Hair::new(&mut random, layer, self.length, ACROSS, shade);
-        let colours = self.colours(&place, along, &hair);
+        let (colours, reach) = self.colours(&place, along, &hair);
         let axes = [along, cross(place.normal, along), place.normal].map(single);
-        (Rooted { hair, root, axes, first: 0, count: colours.len() as u32 }, colours)
+        let count = colours.len() as u32;
+        (Rooted { hair, root, axes, first: 0, count, reach, carried: reach }, colours)
     }
 
-    /// The colours of a hair from its root to its tip: that of its anchor, or of places on both sides of it as far as marks allow.
-    fn colours(&self, place: &Place, along: Vector, hair: &Hair) -> Vec<[f32; 4]> {
+    /// The colours of the surface from the root of a hair to its tip, and how far that of its anchor may be carried, as far as marks
+    /// allow; that colour alone, where it is carried along the whole hair.
+    fn colours(&self, place: &Place, along: Vector, hair: &Hair) -> (Vec<[f32; 4]>, f32) {
         let source = self.source;
         let at = |far: f64| source.displaced(place.point, times(along, far));
-        let (length, anchor) = (f64::from(hair.length), f64::from(hair.anchor()));
-        let middle = at(anchor);
-        let carried = f64::from(self.reach.at(source.surface, middle, hair.length)) / length;
-        if carried >= 1.0 {
-            return vec![(source.paint)(middle)];
+        let length = f64::from(hair.length);
+        let middle = at(f64::from(hair.anchor()));
+        let reach = self.reach.at(source.surface, middle, hair.length) / hair.length;
+        if reach >= 1.0 {
+            return (vec![(source.paint)(middle)], 1.0);
         }
-        let count = ((1.0 - carried) * length / STEP[0]).ceil().clamp(1.0, STEP[1]) as usize + 1;
-        let colour = |index: usize| {
-            let own = length * index as f64 / (count - 1) as f64;
-            (source.paint)(at(own + carried * (anchor - own)))
-        };
-        (0..count).map(colour).collect()
+        let count = (length / STEP[0]).ceil().clamp(1.0, STEP[1]) as usize + 1;
+        let colour = |index: usize| (source.paint)(at(length * index as f64 / (count - 1) as f64));
+        ((0..count).map(colour).collect(), reach)
     }
 }
 
@@ -138,6 +141,15 @@ impl Hairs {
         Some(Self { all, colours, buckets })
     }
 
+    /// Carries colours this share of their way, where edges of marks are near.
+    pub fn carry(&mut self, carried: Carried) {
+        let Self { all, colours, .. } = self;
+        for rooted in all.iter_mut().filter(|rooted| rooted.count > 1) {
+            let anchor = rooted.surface_colour(colours, ANCHOR);
+            rooted.carried = rooted.reach * carried[usize::from(is_ink(anchor))];
+        }
+    }
+
     /// The look at a place of this colour, and the heights at two points beside it.
     pub fn look(&self, place: &Place, beside: [Vector; 2], scale: f32, own: [f32; 4]) -> (Surfel, [f32; 2]) {
         let near = self.buckets.at(place.at).iter().map(|index| &self.all[*index as usize]);
@@ -172,11 +184,7 @@ impl Hairs {
 
     /// The colour of a hair at t.
     fn colour(&self, rooted: &Rooted, t: f32) -> [f32; 4] {
-        let colours = &self.colours[rooted.first as usize..][..rooted.count as usize];
-        let at = t * (colours.len() - 1) as f32;
-        let low = (at as usize).min(colours.len() - 1);
-        let (a, b, share) = (colours[low], colours[(low + 1).min(colours.len() - 1)], at - low as f32);
-        [0, 1, 2, 3].map(|channel| a[channel] + share * (b[channel] - a[channel]))
+        rooted.surface_colour(&self.colours, t + rooted.carried * (ANCHOR - t))
     }
 
     /// The look from all hairs of the surface: what [`Self::look`] is compared with.
@@ -193,6 +201,16 @@ impl Hairs {
 }
 
 impl Rooted {
+    /// The colour of the surface at t along the hair, of the colours of all hairs.
+    #[inline(always)]
+    fn surface_colour(&self, colours: &[[f32; 4]], t: f32) -> [f32; 4] {
+        let colours = &colours[self.first as usize..][..self.count as usize];
+        let at = t * (colours.len() - 1) as f32;
+        let low = (at as usize).min(colours.len() - 1);
+        let (a, b, share) = (colours[low], colours[(low + 1).min(colours.len() - 1)], at - low as f32);
+        [0, 1, 2, 3].map(|channel| a[channel] + share * (b[channel] - a[channel]))
+    }
+
     /// Where a point with this normal is along and across the line through the root, if the hair may cover something near it.
     #[inline(always)]
     fn near(&self, point: [f32; 3], normal: [f32; 3]) -> Option<[f32; 2]> {

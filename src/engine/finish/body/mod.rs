@@ -1,14 +1,15 @@
 //! Finishes on the surface of a model.
 //!
 //! ```text
-//! colours, labels, flow ─▶ reach ─▶ hairs | seeds of grains and scales ─▶ buckets ─▶ colour, height, roughness, slope of each place
-//!                                   scattered over the surface            what is near
+//! colours, labels, flow ─▶ reach ─▶ hairs | seeds of grains and scales ─▶ buckets ─▶ balance ─▶ colour, height, roughness, slope
+//!                                   scattered over the surface            what is near as much ink as before
 //! ```
 //!
 //! Everything is a function of the place on the surface, not of a picture: a texture has the same hair on both sides of a seam, and a
 //! finer one shows more of the same hairs. Hairs, grains and scales are scattered over the surface instead of a lattice, which a
 //! closed surface does not have; finishes that are lattices are for the canvas only ([`Kind::on_models`]).
 
+mod balance;
 mod buckets;
 mod grains;
 mod hairs;
@@ -30,6 +31,7 @@ use super::skin::{LEATHER, SKIN};
 use super::surfel::Surfel;
 use crate::surface::SurfacePoint;
 use crate::surface::vector::{Vector, axis_beside, cross, dot, plus, times, unit};
+use balance::Carried;
 use grains::Grains;
 use hairs::Hairs;
 use paper::Paper;
@@ -51,7 +53,10 @@ const STEEPEST: f64 = 2.0;
 /// A finish on a surface.
 pub struct SurfaceFinish<'a> {
     source: SurfaceSource<'a>,
+    reach: SurfaceReach,
     parts: Parts,
+    /// The length of its parts, px of the document.
+    size: f32,
     tone: Tone,
     /// The lowest and the highest of its heights, px.
     heights: [f32; 2],
@@ -121,10 +126,29 @@ impl<'a> SurfaceFinish<'a> {
             Kind::ReptileScales => {
                 (Parts::Reptile(Reptile::new(&source, &reach, size)), plates::reptile_heights(size))
             }
-            Kind::Ink => (Parts::Ink(Paper::new(&source, reach, size)), paper::HEIGHTS),
+            Kind::Ink => (Parts::Ink(Paper::new(&source, size)), paper::HEIGHTS),
             Kind::Cloth | Kind::Twill | Kind::Print => return None,
         };
-        (!cancelled()).then_some(Self { source, parts, tone, heights })
+        let mut finish = Self { source, reach, parts, size, tone, heights };
+        balance::balance(&mut finish, cancelled)?;
+        (!cancelled()).then_some(finish)
+    }
+
+    /// Carries colours this share of their way.
+    fn carry(&mut self, carried: Carried) {
+        match &mut self.parts {
+            Parts::Fur(hairs) => hairs.carry(carried),
+            Parts::Hide(grains) => grains.carry(carried),
+            Parts::Fish(fish) => fish.seeds.carry(carried),
+            Parts::Reptile(reptile) => reptile.seeds.carry(carried),
+            Parts::Ink(paper) => paper.carried = carried,
+        }
+    }
+
+    /// By how much the share of ink at a point is higher than without the finish.
+    fn gain(&self, point: SurfacePoint) -> f32 {
+        let own = (self.source.paint)(point);
+        self.surfel(&self.source.place(point), [0.0; 3], FINE[1], Some(own)).ink - own[3]
     }
 
     /// The lowest and the highest height that it can have, px of the document.
@@ -179,7 +203,7 @@ impl<'a> SurfaceFinish<'a> {
             Parts::Hide(grains) => grains.surfel(&self.source, place, off, own),
             Parts::Fish(fish) => fish.surfel(&self.source, place, off, scale, own),
             Parts::Reptile(reptile) => reptile.surfel(&self.source, place, off, own),
-            Parts::Ink(paper) => paper.surfel(&self.source, place, off, own),
+            Parts::Ink(paper) => paper.surfel((&self.source, &self.reach), place, off, own),
         }
     }
 

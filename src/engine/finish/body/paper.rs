@@ -1,8 +1,9 @@
 //! Ink on a paper that covers a surface: its fibres lie along the axes of space, where these are near the surface.
 
+use super::balance::Carried;
 use super::reach::SurfaceReach;
 use super::solid::SolidNoise;
-use super::source::{Place, SurfaceSource, single};
+use super::source::{Place, SurfaceSource, is_ink, single};
 use crate::finish::ink::{RUN, dried};
 use crate::finish::noise::part_seed;
 use crate::finish::surfel::Surfel;
@@ -20,7 +21,8 @@ const BESIDE: f64 = 1.1;
 #[derive(Clone, Debug)]
 pub(super) struct Paper {
     size: f32,
-    reach: SurfaceReach,
+    /// The share of its way that ink of the paper, and of marks, runs.
+    pub carried: Carried,
     /// Along each axis.
     run: [SolidNoise; 3],
     fine: [SolidNoise; 3],
@@ -30,11 +32,11 @@ pub(super) struct Paper {
 
 impl Paper {
     /// Paper with fibres of `size` px.
-    pub fn new(source: &SurfaceSource, reach: SurfaceReach, size: f32) -> Self {
+    pub fn new(source: &SurfaceSource, size: f32) -> Self {
         let noise = |size: f32, index: u32| SolidNoise::new(size, part_seed(source.seed, index));
         Self {
             size,
-            reach,
+            carried: [1.0; 2],
             run: [96, 97, 103].map(|index| noise(0.45 * size, index)),
             fine: [98, 99, 104].map(|index| noise(0.16 * size, index)),
             fibres: [100, 101, 105].map(|index| noise(0.2 * size, index)),
@@ -45,7 +47,7 @@ impl Paper {
     /// The look `off` px beside a place of this colour; without colours where that is not known.
     pub fn surfel(
         &self,
-        source: &SurfaceSource,
+        (source, reach): (&SurfaceSource, &SurfaceReach),
         place: &Place,
         off: Vector,
         own: Option<[f32; 4]>,
@@ -67,9 +69,17 @@ impl Paper {
         });
         let by = across(by, place.normal);
         let far = length(by).max(1e-6);
-        let most = f64::from(self.reach.at(source.surface, place.point, self.size));
-        let from = source.displaced(place.point, plus(times(by, most.min(far) / far), off));
-        let seen = if from == place.point { own } else { (source.paint)(from) };
+        let most = f64::from(reach.at(source.surface, place.point, self.size));
+        let by = times(by, most.min(far) / far);
+        let looked = |share: f32| {
+            let from = source.displaced(place.point, plus(times(by, f64::from(share)), off));
+            (from, if from == place.point { own } else { (source.paint)(from) })
+        };
+        let (mut from, mut seen) = looked(1.0);
+        let carried = self.carried[usize::from(is_ink(seen))];
+        if is_ink(seen) != is_ink(own) && carried < 1.0 {
+            (from, seen) = looked(carried);
+        }
         // Where the places around have other colours, an edge is near: there the ink dries last.
         let rim = self.rim(source, from, seen);
         dried(seen, rim, slow, grain)

@@ -32,7 +32,7 @@ pub(super) fn reptile_heights(size: f32) -> [f32; 2] {
 #[derive(Clone, Debug)]
 pub(super) struct Fish {
     size: f32,
-    seeds: Seeds,
+    pub seeds: Seeds,
     grain: SolidNoise,
 }
 
@@ -86,7 +86,7 @@ impl Fish {
 #[derive(Clone, Debug)]
 pub(super) struct Reptile {
     size: f32,
-    seeds: Seeds,
+    pub seeds: Seeds,
     grain: SolidNoise,
 }
 

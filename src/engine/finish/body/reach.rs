@@ -37,6 +37,11 @@ impl SurfaceReach {
         Self { distance: edges.distance, radius }
     }
 
+    /// Whether a place is at most `most` px from the edge of a mark.
+    pub fn is_near(&self, surface: &Surface, point: SurfacePoint, most: f32) -> bool {
+        self.distance[surface.vertex_of(point)] <= most
+    }
+
     /// By how many px the colour at a place may move, if it is wanted to move by at most `wanted` px.
     pub fn at(&self, surface: &Surface, point: SurfacePoint, wanted: f32) -> f32 {
         let distance = surface.interpolate(point, |vertex| f64::from(self.distance[vertex])) as f32;

@@ -1,8 +1,9 @@
 //! Seeds: the centres of grains and scales on a surface, with their colours.
 
+use super::balance::Carried;
 use super::buckets::{Buckets, Reached};
 use super::reach::SurfaceReach;
-use super::source::{OUTSIDE, Place, SurfaceSource};
+use super::source::{OUTSIDE, Place, SurfaceSource, is_ink};
 use crate::finish::noise::Random;
 use crate::surface::SurfacePoint;
 use crate::surface::vector::{Vector, dot, minus, plus, times};
@@ -18,7 +19,8 @@ pub(super) struct Seed {
     pub at: Vector,
     normal: Vector,
     colour: [f32; 4],
-    /// How far its colour is carried ÷ how far it is wanted to be.
+    /// How far its colour may be carried ÷ how far it is wanted to be, and how far it is.
+    reach: f32,
     carried: f32,
     random: u32,
 }
@@ -84,13 +86,20 @@ impl Seeds {
         let of_place = |(index, point): (usize, &SurfacePoint)| {
             let Place { at, normal, .. } = source.place(*point);
             let random = Random::of(seed, [index as u32, 1]).bits();
-            let carried = reach.at(source.surface, *point, carried as f32) / carried as f32;
-            Seed { at, normal, colour: (source.paint)(*point), carried, random }
+            let reach = reach.at(source.surface, *point, carried as f32) / carried as f32;
+            Seed { at, normal, colour: (source.paint)(*point), reach, carried: reach, random }
         };
         let all: Vec<Seed> = places.iter().enumerate().map(of_place).collect();
         let reached = |index: usize| Reached::ball(all[index].at, radius + OUTSIDE);
         let buckets = Buckets::new(source.surface, 0.6 * radius, &reached, all.len());
         Self { all, buckets }
+    }
+
+    /// Carries colours this share of their way, where edges of marks are near.
+    pub fn carry(&mut self, carried: Carried) {
+        for seed in self.all.iter_mut().filter(|seed| seed.reach < 1.0) {
+            seed.carried = seed.reach * carried[usize::from(is_ink(seed.colour))];
+        }
     }
 
     /// The seeds that may be near a place, with the way to each from a point beside it.

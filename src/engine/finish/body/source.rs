@@ -66,6 +66,11 @@ impl SurfaceSource<'_> {
     }
 }
 
+/// Whether a colour is that of a mark.
+pub(super) fn is_ink(colour: [f32; 4]) -> bool {
+    colour[3] >= 0.5
+}
+
 /// A vector in single precision.
 pub(super) fn single(vector: Vector) -> [f32; 3] {
     vector.map(|part| part as f32)
