@@ -32,9 +32,10 @@ const LARGER: usize = 2;
 /// Least area of a mark that is no ring, in that of a mean ring: smaller ones are parts of rings.
 const SMALLEST: f64 = 0.25;
 /// The radius of the disc that fills the dents of outlines, in depths of a blotch.
-const DENT: f64 = 0.5;
-/// Distance from the ink within which ground may be that of a gap, cells.
+const DENT: f64 = 1.0;
+/// Distance from the ink within which ground may be that of a gap, cells, and how much it counts.
 const GAP: f64 = 2.0;
+const GAP_SHARE: f64 = 0.25;
 /// The value of outlines at their edges, and the one outside and between groups that touch.
 const OUTLINE: f32 = 0.5;
 const BELOW: f32 = 0.45;
@@ -169,29 +170,29 @@ fn like(rings: &[Group], others: &[Group]) -> Rosettes {
     Rosettes { parts: PARTS.map(|share| at(&parts, share)), dots: at(&dots, DOTTED).min(6), solid, ..usual }
 }
 
-/// The depth of blotches with which rosettes in the outlines of the `rings` have centres as large as these, px. Gaps between blotches,
-/// which blur fills, do not count.
+/// The depth of blotches with which rosettes in the outlines of the `rings` have as much ground inside as these, px. Gaps between
+/// blotches count a quarter: blur fills them, so that blotches would come out too deep if they counted, and too shallow if not.
 fn width(field: &Field, level: f32, rings: &[Group], like: &Rosettes) -> f64 {
     let outlines = outlines(field, level, rings, &[]);
-    let wanted = centres_of(&outlines, field, level);
+    let wanted = ground_in(&outlines, field, level);
     let side = (rings.iter().map(|ring| ring.cells.len()).sum::<usize>() as f64 / rings.len() as f64).sqrt();
     let mut range = WIDTHS.map(|width| width * side * field.cell[0]);
     for _ in 0..HALVINGS {
         let middle = (range[0] * range[1]).sqrt();
         let tried = rosettes(&outlines, &Rosettes { width: Some(middle), solid: 0.0, ..*like }, 1);
-        range[usize::from(centres_of(&outlines, &tried, OUTLINE) < wanted)] = middle;
+        range[usize::from(ground_in(&outlines, &tried, OUTLINE) < wanted)] = middle;
     }
     (range[0] * range[1]).sqrt()
 }
 
-/// How many cells within `outlines` are farther from the ink above `level` than gaps are wide.
-fn centres_of(outlines: &Field, ink: &Field, level: f32) -> usize {
+/// How many cells within `outlines` are not ink above `level`; those that may be in gaps count less.
+fn ground_in(outlines: &Field, ink: &Field, level: f32) -> f64 {
     let grid = ink.grid();
     let is_ink: Vec<bool> = ink.values.iter().map(|value| *value > level).collect();
-    let Some(to_ink) = nearest(&is_ink, &grid) else { return 0 };
-    let is_deep =
-        |cell: &usize| outlines.values[*cell] > OUTLINE && length(to_ink[*cell], &grid) > GAP * grid.cell[0];
-    (0..is_ink.len()).filter(is_deep).count()
+    let Some(to_ink) = nearest(&is_ink, &grid) else { return 0.0 };
+    let is_ground = |cell: &usize| outlines.values[*cell] > OUTLINE && !is_ink[*cell];
+    let share = |cell: usize| if length(to_ink[cell], &grid) > GAP * grid.cell[0] { 1.0 } else { GAP_SHARE };
+    (0..is_ink.len()).filter(is_ground).map(share).sum()
 }
 
 #[cfg(test)]
