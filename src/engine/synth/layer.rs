@@ -9,7 +9,7 @@ use std::any::Any;
 use std::sync::Arc;
 
 use crate::attributes::system::Description;
-use crate::document::{Document, tile};
+use crate::document::{After, Document, tile};
 use crate::grid::Field;
 use crate::synth::areas::Areas;
 use crate::synth::drawn::parametric;
@@ -28,6 +28,7 @@ use crate::synth::pattern::{AreaPattern, LayerPattern};
 use crate::synth::points::Points;
 use crate::synth::report::{DrawnMark, LayerReport};
 use crate::synth::shaped::Shapes;
+use crate::synth::thinned::Thinning;
 use crate::synth::tone::Driven;
 use crate::synth::watch::Stage;
 
@@ -372,9 +373,11 @@ impl LayerPlan {
         let Request { size, memory: free, .. } = *request;
         let grid = self.planned().grid.size;
         let later = matches!(self, Self::Pairs(_) | Self::Lines(_));
-        let shapes = Shapes::of(&request.document.layers[request.index].options, later);
+        let layer = &request.document.layers[request.index];
+        let shapes = Shapes::of(&layer.options, later);
         let shaped = shapes.map_or(0.0, |_| Shapes::bytes(size));
-        memory::fits(self.bytes(size, grid) + shaped, size, grid, free)
+        let thinned = if layer.after == After::Near { Thinning::bytes(grid) } else { 0.0 };
+        memory::fits(self.bytes(size, grid) + shaped + thinned, size, grid, free)
     }
 }
 

@@ -13,7 +13,7 @@ use crate::points::stripe_variation::{StripeVariation, varied};
 use crate::points::stripe_widths::{StripeWidths, depths};
 use crate::synth::edge_search::EdgeSearch;
 use crate::synth::marks::plan::raggedness::excess;
-use crate::synth::pattern::{EDGE, PatternRows};
+use crate::synth::pattern::{self, EDGE, PatternRows};
 
 /// Cells in half of the mean width of a stripe: pointed tips need 6, the finest lobes of ragged edges 12.
 const CELLS: [f64; 2] = [6.0, 12.0];
@@ -55,13 +55,8 @@ impl Shapes {
         let coarse = pattern.field(grid[0], grid[1]);
         // 2 × area ÷ contour, in cells, as the mean width of a stripe.
         let width = 2.0 * share_above(&coarse, EDGE) * coarse.values.len() as f64 / contour(&coarse).max(1.0);
-        let finer = (2.0 * CELLS[usize::from(self.ragged > 0.0)] / width).max(1.0);
-        let extent = coarse.extent();
-        let size = [0, 1].map(|axis| {
-            let px = extent[axis].round() as usize;
-            ((grid[axis] as f64 * finer).ceil() as usize).clamp(grid[axis], grid[axis].max(px))
-        });
-        let stripes = pattern.field(size[0], size[1]);
+        let by = (2.0 * CELLS[usize::from(self.ragged > 0.0)] / width).max(1.0);
+        let stripes = pattern::finer(pattern, &coarse, by);
         let stripes = if self.ragged > 0.0 { roughened(stripes, self.ragged, seed ^ SEED) } else { stripes };
         varied(&stripes, &self.variation, seed ^ SEED)
     }

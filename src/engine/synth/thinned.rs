@@ -8,12 +8,14 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use crate::grid::{Field, Grid, UnionFind, distance};
-use crate::synth::pattern::{EDGE, LayerPattern, PatternRows};
+use crate::synth::pattern::{self, EDGE, LayerPattern, PatternRows};
 
 /// Cells of the thinned pattern for each cell that the layer grew on.
 const FINER: f64 = 2.0;
 /// Half the width of the border between what is removed and what stays, cells.
 const BORDER: f64 = 2.0;
+/// Memory of a cell of the thinned pattern, bytes: two fields, three maps of distances, the marks, and what these take while they are made.
+const BYTES: f64 = 62.0;
 /// Combined with the layer's seed, so that thinning has random numbers of its own.
 const SEED: u64 = 0x7468_696E_6E69_6E67;
 
@@ -27,6 +29,12 @@ pub struct Thinning {
 }
 
 impl Thinning {
+    /// Bytes of memory that it needs for a layer that grows on `grid` cells.
+    #[must_use]
+    pub fn bytes(grid: [usize; 2]) -> f64 {
+        BYTES * FINER * FINER * grid[0] as f64 * grid[1] as f64
+    }
+
     /// The `pattern` of a grown layer without the marks that are removed; `None` where all stay. `beneath` are the patterns of the marks
     /// beneath, `drawn` the places of drawn marks, px.
     #[must_use]
@@ -38,15 +46,10 @@ impl Thinning {
     ) -> Option<Field> {
         let grid = pattern.grid();
         let coarse = pattern.field(grid[0], grid[1]);
-        let extent = coarse.extent();
-        let size = [0, 1].map(|axis| {
-            let px = extent[axis].round() as usize;
-            ((grid[axis] as f64 * FINER).ceil() as usize).clamp(grid[axis], grid[axis].max(px))
-        });
-        let field = pattern.field(size[0], size[1]);
+        let field = pattern::finer(pattern, &coarse, FINER);
         let mut covered = vec![false; field.values.len()];
         for other in beneath {
-            let other = other.field(size[0], size[1]);
+            let other = other.field(field.width, field.height);
             covered.iter_mut().zip(&other.values).for_each(|(covered, value)| *covered |= *value >= EDGE);
         }
         self.without_removed(field, &covered, drawn)

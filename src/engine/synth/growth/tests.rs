@@ -1,5 +1,5 @@
 use super::*;
-use crate::document::{Document, ToneImage};
+use crate::document::{After, Document, ToneImage};
 use crate::synth::check::check;
 use crate::synth::layer_report::report;
 
@@ -131,6 +131,29 @@ fn a_layer_that_cannot_be_grown_is_refused_before_the_first_one_grows() {
     assert!(growth.layers().is_empty());
     assert_eq!(growth.advance(1).ok(), Some(Progress::Done));
     assert!(growth.complete().is_none(), "what did not grow was given as grown");
+}
+
+#[test]
+fn a_layer_near_others_needs_memory_for_its_thinning() {
+    let (_, mut document) = documents().pop().expect("layers");
+    document.layers[1] = document.layers[0].clone();
+    let least = |document: &Document| {
+        // So large that it is not grown to be checked.
+        let options = Options { size: Some([2000, 2000]), ..Options::default() };
+        let checked = |memory: f64| check(document, &Options { memory: Some(memory), ..options });
+        let fits = |memory: f64| checked(memory).is_ok_and(|checked| checked.refusal.is_none());
+        let mut range = [1e4, 1e10];
+        for _ in 0..24 {
+            let middle = f64::sqrt(range[0] * range[1]);
+            range[usize::from(fits(middle))] = middle;
+        }
+        range[1]
+    };
+    document.layers[1].after = After::Between;
+    let between = least(&document);
+    document.layers[1].after = After::Near;
+    let near = least(&document);
+    assert!(near > 1.2 * between && near < 1e9, "{between} {near}");
 }
 
 #[test]

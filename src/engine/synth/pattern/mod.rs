@@ -28,6 +28,18 @@ pub trait PatternRows: Send + Sync {
     fn field(&self, width: usize, height: usize) -> Field;
 }
 
+/// The pattern with `by` times the cells of its `coarse` field along each side, but with no more than px.
+#[must_use]
+pub fn finer(pattern: &dyn PatternRows, coarse: &Field, by: f64) -> Field {
+    let extent = coarse.extent();
+    let [width, height] = [0, 1].map(|axis| {
+        let cells = [coarse.width, coarse.height][axis];
+        let px = extent[axis].round() as usize;
+        ((cells as f64 * by).ceil() as usize).clamp(cells, cells.max(px))
+    });
+    pattern.field(width, height)
+}
+
 /// The pattern of a layer of any kind.
 pub type LayerPattern<'a> = Box<dyn PatternRows + 'a>;
 
