@@ -33,11 +33,11 @@ class GrownModel:
         """
         return self._made.unfit()
 
-    def save(self, path: str | os.PathLike[str], *, size: Sequence[int] | None = None, relief: float = 6.0) -> None:
+    def save(self, path: str | os.PathLike[str], *, size: Sequence[int] | None = None, relief: float | None = None) -> None:
         """Write the model (.glb or .obj with its texture, .ply with colours by vertex), complete or not at all.
 
         ``size`` is [width, height] of the texture, texels (2048, 2048); ``relief`` the height of the marks, px of
-        the sketch. A .glb of a model without texture coordinates has colours by vertex, too.
+        the sketch (6; with a finish that of docs/finish.md). A .glb of a model without texture coordinates has colours by vertex, too.
         """
         self._made.save(os.fspath(path), _pair(size), relief)
 
@@ -47,12 +47,12 @@ class GrownModel:
         *,
         name: str = "dapple",
         size: Sequence[int] | None = None,
-        relief: float = 6.0,
+        relief: float | None = None,
     ) -> None:
         """Write colour, height, normals, roughness and occlusion into a folder, and the model as glTF with them.
 
         ``size`` is [width, height] of the maps, texels (2048, 2048); ``relief`` the height of the marks, px of the
-        sketch. The files begin with ``name`` (docs/materials.md).
+        sketch (6; with a finish that of docs/finish.md). The files begin with ``name`` (docs/materials.md).
         """
         self._made.material(os.fspath(folder), name, _pair(size), relief)
 

@@ -53,6 +53,11 @@ class Grown:
         return self._made.labels
 
     @cached_property
+    def mask(self) -> NDArray[np.uint8]:
+        """The layer whose mark covers each px after the finish, (height, width); without a finish the labels."""
+        return self._made.mask
+
+    @cached_property
     def report(self) -> dict[str, Any]:
         """What was asked, looked up and grown: the keys of `grow --report` in docs/format.md."""
         made: dict[str, Any] = json.loads(self._made.report_text())
@@ -80,11 +85,11 @@ class Grown:
         return self._made.outlines(scale)
 
     def material(
-        self, folder: str | os.PathLike[str], *, name: str = "dapple", relief: float = 6.0, scale: int = 1
+        self, folder: str | os.PathLike[str], *, name: str = "dapple", relief: float | None = None, scale: int = 1
     ) -> None:
         """Write colour, height, normals, roughness and occlusion for engines into a folder (docs/materials.md).
 
-        ``relief`` is the height of the marks above the ground, px.
+        ``relief`` is the height of the marks above the ground, px (6; with a finish that of docs/finish.md).
         """
         self._made.material(os.fspath(folder), name, relief, scale)
 

@@ -3,13 +3,13 @@
 use crate::arrays::shaped;
 use crate::errors::{Failure, error};
 use crate::watched::watched;
-use dapple::document::with_causes;
+use dapple::document::{Document, with_causes};
 use dapple::engine::export::material::{Set, name};
 use dapple::engine::export::maps::Surface;
 use dapple::engine::document::embedded::MAX_SCALE;
 use dapple::engine::export::has_ending;
 use dapple::engine::export::outline::FORMATS;
-use dapple::engine::synth::render::painting::{Channel, Making, Painting};
+use dapple::engine::synth::render::painting::{Channel, Making, Painting, usual_relief};
 use dapple::{SaveTexture, files};
 use dapple::files::SavePicture;
 use pyo3::prelude::*;
@@ -82,6 +82,13 @@ impl Grown {
         shaped(py, labels, [height, width])
     }
 
+    #[getter]
+    fn mask<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let [width, height] = self.sides();
+        let mask = py.detach(|| self.painting(1).mask());
+        shaped(py, mask, [height, width])
+    }
+
     /// The report, as JSON text.
     fn report_text(&self, py: Python<'_>) -> PyResult<String> {
         py.detach(|| serde_json::to_string(&self.0.report())).map_err(|why| error(&why.to_string(), None))
@@ -115,8 +122,15 @@ impl Grown {
         drawn.map_err(|why| error(&why, None))
     }
 
-    #[pyo3(signature = (folder, name="dapple", relief=6.0, scale=1))]
-    fn material(&self, py: Python<'_>, folder: PathBuf, name: &str, relief: f64, scale: u32) -> PyResult<()> {
+    #[pyo3(signature = (folder, name="dapple", relief=None, scale=1))]
+    fn material(
+        &self,
+        py: Python<'_>,
+        folder: PathBuf,
+        name: &str,
+        relief: Option<f64>,
+        scale: u32,
+    ) -> PyResult<()> {
         let named = name_of(name);
         let made = watched(py, None, |watch| {
             let painting = self.painting(scale);
@@ -126,10 +140,11 @@ impl Grown {
                 size: painting.size,
                 deep: style.deep,
                 transparent: !painting.is_opaque(),
+                anisotropic: painting.is_anisotropic(),
                 dpi: Some(style.dpi),
             };
             let making = Making {
-                surface: Surface { relief: vec![relief], ..Surface::default() },
+                surface: surface(&self.0.document, relief),
                 scale: scale as usize,
                 edges: self.0.document.edges,
                 transparent_ground: false,
@@ -145,6 +160,12 @@ impl Grown {
 
 fn name_of(text: &str) -> String {
     name(text)
+}
+
+/// Marks of this relief, px; by default that of the finish.
+pub fn surface(document: &Document, relief: Option<f64>) -> Surface {
+    let relief = relief.map_or_else(|| usual_relief(document), |relief| vec![relief]);
+    Surface { relief, ..Surface::default() }
 }
 
 impl Grown {

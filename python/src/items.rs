@@ -48,7 +48,7 @@ impl Item {
     fn marks<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let columns = PyDict::new(py);
         self.with(|made| {
-            let mut put = |name: String, value: &dyn Fn(&data_set::LabelledMark) -> f64| {
+            let put = |name: String, value: &dyn Fn(&data_set::LabelledMark) -> f64| {
                 let values: Vec<f64> = made.marks.iter().map(value).collect();
                 columns.set_item(name, values.into_pyarray(py))
             };

@@ -1,11 +1,11 @@
 //! Growing on a model.
 
+use crate::grown::surface;
 use crate::errors::{Failure, document_error, error};
 use crate::watched::watched;
 use dapple::document::{BodySource, Document, with_causes};
 use dapple::engine::export::has_ending;
 use dapple::engine::export::material::name;
-use dapple::engine::export::maps::Surface;
 use dapple::engine::synth::body::{BodyGrowth, GrownBody};
 use dapple::files::{self, Prepared, TexturedBody, keep_all, read_model};
 use dapple::{ExportError, Options, ReadFile, Watch, free_memory};
@@ -75,8 +75,8 @@ impl GrownModel {
         py.detach(|| self.grown.own_atlas().err().map(|unfit| unfit.to_string()))
     }
 
-    #[pyo3(signature = (path, size=None, relief=6.0))]
-    fn save(&self, py: Python<'_>, path: PathBuf, size: Option<[u32; 2]>, relief: f64) -> PyResult<()> {
+    #[pyo3(signature = (path, size=None, relief=None))]
+    fn save(&self, py: Python<'_>, path: PathBuf, size: Option<[u32; 2]>, relief: Option<f64>) -> PyResult<()> {
         self.written(py, |watch| {
             if has_ending(&path, "ply") {
                 Ok(vec![files::prepare(&path, |out| self.grown.write_ply(out)).map_err(words)?])
@@ -96,14 +96,14 @@ impl GrownModel {
         })
     }
 
-    #[pyo3(signature = (folder, name="dapple", size=None, relief=6.0))]
+    #[pyo3(signature = (folder, name="dapple", size=None, relief=None))]
     fn material(
         &self,
         py: Python<'_>,
         folder: PathBuf,
         name: &str,
         size: Option<[u32; 2]>,
-        relief: f64,
+        relief: Option<f64>,
     ) -> PyResult<()> {
         let named = valid(name);
         self.written(py, |watch| {
@@ -122,12 +122,12 @@ fn words(why: ExportError) -> Failure {
 
 impl GrownModel {
     /// The model with its texture, on automatic coordinates where those of its file are unfit.
-    fn textured(&self, size: Option<[u32; 2]>, relief: f64) -> Result<TexturedBody<'_>, Failure> {
+    fn textured(&self, size: Option<[u32; 2]>, relief: Option<f64>) -> Result<TexturedBody<'_>, Failure> {
         let laid = self.grown.lay_out().map_err(|why| Failure::Other(why.to_string()))?;
         Ok(TexturedBody {
             grown: &self.grown,
             atlas: laid.atlas,
-            surface: Surface { relief: vec![relief], ..Surface::default() },
+            surface: surface(&self.grown.document, relief),
             size: size.unwrap_or(TexturedBody::SIZE).map(|side| side as usize),
             deep: false,
         })

@@ -55,6 +55,29 @@ def test_the_bytes_are_those_of_the_command_line(tmp_path, grown):
     assert not np.array_equal(again.rgb, grown.rgb)
 
 
+def test_a_coat_with_a_finish_is_that_of_the_command_line(tmp_path):
+    ground = {"noise": {"size": 60, "range": [0, 1]}}
+    marks = [dapple.ellipse([30 + 26 * k, 40 + 4 * k], [9, 6], angle=30) for k in range(3)]
+    spotted = dapple.layer(marks, system=SPOTS, maps={"ground": ground}, colours={"ground": "#fff8e8", "halo": 0.2})
+    finish = {"kind": "leather", "mottle": 0.05}
+    coat = dapple.document([128, 96], layers=[spotted], warp={"size": 40, "by": 2}, finish=finish)
+    (tmp_path / "a.dapple").write_text(json.dumps(coat))
+    run = [PROGRAM, "grow", "a.dapple", "-o", "a.png", "--mask", "m.png", "--material", "maps", "-q"]
+    subprocess.run(run, cwd=tmp_path, check=True)
+    grown = dapple.grow(coat)
+    grown.save(tmp_path / "b.png")
+    assert (tmp_path / "b.png").read_bytes() == (tmp_path / "a.png").read_bytes()
+    assert set(np.unique(grown.mask)) == {0, 1}
+    grown.material(tmp_path / "own", name="a")
+    for name in ("a_BaseColor.png", "a_Height.png", "a_Roughness.png"):
+        assert (tmp_path / "own" / name).read_bytes() == (tmp_path / "maps" / name).read_bytes(), name
+    fur = dapple.grow({**coat, "finish": {"kind": "fur"}})
+    assert np.array_equal(fur.labels, grown.labels)
+    assert not np.array_equal(fur.mask, grown.mask)
+    fur.material(tmp_path / "fur", name="a")
+    assert (tmp_path / "fur" / "a_Anisotropy.png").exists()
+
+
 def test_the_report_says_what_was_asked_and_what_has_grown(grown):
     region = grown.report["layers"][0]["regions"][0]
     assert abs(region["got"]["area"] / region["asked"]["area"] - 1) < 0.05

@@ -85,6 +85,17 @@ impl Painting<'_> {
         }))
     }
 
+    /// For each px, row by row, the layer whose mark covers it after the finish; without one its label.
+    #[must_use]
+    pub fn mask(&self) -> Vec<u8> {
+        if let Some(finished) = self.finished() {
+            return finished.mask.clone();
+        }
+        let mut labels = vec![0; self.size[0] * self.size[1]];
+        self.band(0..self.size[1]).labels(&mut labels);
+        labels
+    }
+
     /// Whether its reflections have a direction: those of hair.
     #[must_use]
     pub fn is_anisotropic(&self) -> bool {
