@@ -33,11 +33,14 @@ class GrownModel:
         """
         return self._made.unfit()
 
-    def save(self, path: str | os.PathLike[str], *, size: Sequence[int] | None = None, relief: float | None = None) -> None:
+    def save(
+        self, path: str | os.PathLike[str], *, size: Sequence[int] | None = None, relief: float | None = None
+    ) -> None:
         """Write the model (.glb or .obj with its texture, .ply with colours by vertex), complete or not at all.
 
         ``size`` is [width, height] of the texture, texels (2048, 2048); ``relief`` the height of the marks, px of
-        the sketch (6; with a finish that of docs/finish.md). A .glb of a model without texture coordinates has colours by vertex, too.
+        the sketch (6; with a finish that of docs/finish.md). A .glb of a model without texture coordinates has
+        colours by vertex, too.
         """
         self._made.save(os.fspath(path), _pair(size), relief)
 

@@ -57,8 +57,10 @@ def test_the_bytes_are_those_of_the_command_line(tmp_path, grown):
 
 def test_a_coat_with_a_finish_is_that_of_the_command_line(tmp_path):
     ground = {"noise": {"size": 60, "range": [0, 1]}}
+    stops = [{"at": 0, "colour": "#c89048"}, {"at": 0.45, "colour": "#c89048"}, {"at": 0.55, "colour": "#281a12"}]
+    colours = {"stops": stops, "ground": "#fff8e8", "halo": 0.2}
     marks = [dapple.ellipse([30 + 26 * k, 40 + 4 * k], [9, 6], angle=30) for k in range(3)]
-    spotted = dapple.layer(marks, system=SPOTS, maps={"ground": ground}, colours={"ground": "#fff8e8", "halo": 0.2})
+    spotted = dapple.layer(marks, system=SPOTS, maps={"ground": ground}, colours=colours)
     finish = {"kind": "leather", "mottle": 0.05}
     coat = dapple.document([128, 96], layers=[spotted], warp={"size": 40, "by": 2}, finish=finish)
     (tmp_path / "a.dapple").write_text(json.dumps(coat))
@@ -161,7 +163,7 @@ def test_ctrl_c_ends_a_growth():
     code = (
         "import dapple, sys, time\n"
         "marks = [dapple.ellipse([30 + 8 * k, 40 + k], [2, 1.5], angle=30) for k in range(3)]\n"
-        "large = dapple.document([6000, 6000], layers=[dapple.layer(marks)])\n"
+        "large = dapple.document([2400, 2400], layers=[dapple.layer(marks)])\n"
         "try:\n    dapple.grow(large, progress=lambda *_: print('grows', flush=True))\n"
         "except KeyboardInterrupt:\n    print('stopped', flush=True); sys.exit(3)\n"
     )
