@@ -55,8 +55,9 @@ mod _dapple {
     #[pyfunction]
     fn check(py: Python<'_>, text: &str, source: &str) -> PyResult<Vec<Vec<String>>> {
         let document = Document::parse(text, source).map_err(document_error)?;
-        let checked = watched::watched(py, None, |watch| {
-            let options = Options { source, memory: Some(free_memory()), watch: *watch, ..Options::default() };
+        let source = source.to_owned();
+        let checked = watched::abandoned(py, None, move |watch| {
+            let options = Options { source: &source, memory: Some(free_memory()), watch: *watch, ..Options::default() };
             let checked = check_growth(&document, &options).map_err(Failure::Growth)?;
             let notes = checked.layers.into_iter().map(|layer| layer.notes).collect();
             checked.refusal.map_or(Ok(notes), |refusal| Err(Failure::Growth(refusal)))
@@ -88,7 +89,9 @@ mod _dapple {
             let wrong = "found a document with a model; allowed: one without, or grow_on_model";
             return Err(errors::error(&format!("{source}: model: {wrong}"), Some("model")));
         }
-        let grown = watched::watched(py, progress, |watch| {
+        let source = source.to_owned();
+        let grown = watched::abandoned(py, progress, move |watch| {
+            let source = source.as_str();
             let options =
                 Options { size, source, memory: Some(free_memory()), watch: *watch, ..Options::default() };
             let grow = || Growth::begin(&document, &options, None).run();

@@ -2,7 +2,7 @@
 
 use crate::grown::surface;
 use crate::errors::{Failure, document_error, error};
-use crate::watched::watched;
+use crate::watched::{abandoned, watched};
 use dapple::document::{BodySource, Document, with_causes};
 use dapple::engine::export::has_ending;
 use dapple::engine::export::material::name;
@@ -50,8 +50,9 @@ pub fn grow_model(
     if let Some(path) = &model {
         body.source = BodySource::File { path: path.display().to_string(), sha256: None };
     }
-    let grown = watched(py, progress, |watch| {
-        let options = Options { source, memory: Some(free_memory()), watch: *watch, ..Options::default() };
+    let named = source.to_owned();
+    let grown = abandoned(py, progress, move |watch| {
+        let options = Options { source: &named, memory: Some(free_memory()), watch: *watch, ..Options::default() };
         let bytes = file.as_ref().map(|file| file.bytes.as_slice());
         let grow = || {
             let growth = BodyGrowth::begin(&document, bytes, &options).map_err(dapple::GrowError::from)?;

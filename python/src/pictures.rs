@@ -47,7 +47,7 @@ pub fn measure(py: Python<'_>, raster: Raster<'_>, invert: bool) -> PyResult<Str
             let sign = if invert { -1.0 } else { 1.0 };
             let values = pattern.as_array().iter().map(|value| sign * (value - 0.5)).collect();
             let field = Field { width, height, cell: [1.0, 1.0], edges: Edges::Closed, values };
-            let found = abandoned(py, move || picture(&field, 0.0))?;
+            let found = abandoned(py, None, move |_| picture(&field, 0.0))?;
             found.ok_or_else(|| error(&format!("{ARRAY}: found neither spots nor stripes above 0.5"), None))?
         }
         Raster::Colours(colours) => {
@@ -55,7 +55,7 @@ pub fn measure(py: Python<'_>, raster: Raster<'_>, invert: bool) -> PyResult<Str
             let framing = Framing { invert, ..Framing::default() };
             let path = Path::new(ARRAY);
             let found =
-                abandoned(py, move || measure_stream(Cursor::new(bytes), path, &framing, Some(free_memory())))?;
+                abandoned(py, None, move |_| measure_stream(Cursor::new(bytes), path, &framing, Some(free_memory())))?;
             found.map_err(|why| error(&with_causes(&why), None))?.picture
         }
     };
@@ -85,7 +85,7 @@ pub fn photo(py: Python<'_>, colours: PyReadonlyArray3<'_, u8>, invert: bool) ->
     let options =
         PhotoOptions { framing: Framing { invert, ..Framing::default() }, ..PhotoOptions::default() };
     let path = Path::new(ARRAY);
-    let made = abandoned(py, move || import_photo(Cursor::new(bytes), path, &options, Some(free_memory())))?;
+    let made = abandoned(py, None, move |_| import_photo(Cursor::new(bytes), path, &options, Some(free_memory())))?;
     Ok(made.map_err(|why| error(&with_causes(&why), None))?.document.to_json())
 }
 

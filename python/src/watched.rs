@@ -5,11 +5,13 @@ use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::RecvTimeoutError;
-use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 /// How often signals are looked for and progress is reported.
 const STEP: Duration = Duration::from_millis(30);
+/// How long work that is cancelled is waited for.
+const PATIENCE: Duration = Duration::from_millis(200);
 
 /// Runs `work`. Ctrl-C, or an exception of `progress(stage, share)`, cancels it and is raised.
 pub fn watched<T: Send>(
@@ -50,19 +52,43 @@ pub fn watched<T: Send>(
     }
 }
 
-/// Runs `work`, which cannot be cancelled. Ctrl-C is raised at once, and the work is left to end by itself.
-pub fn abandoned<T: Send + 'static>(py: Python<'_>, work: impl FnOnce() -> T + Send + 'static) -> PyResult<T> {
+/// Runs `work` on a thread that can outlive the call. Ctrl-C, or an exception of `progress(stage, share)`, cancels it and is raised
+/// soon after: a step that takes seconds and looks for nothing meanwhile is left to end by itself.
+pub fn abandoned<T: Send + 'static>(
+    py: Python<'_>,
+    progress: Option<Py<PyAny>>,
+    work: impl FnOnce(&Watch) -> T + Send + 'static,
+) -> PyResult<T> {
     let (send, ended) = std::sync::mpsc::channel();
-    // Where nobody waits any more, the result is dropped.
-    std::thread::spawn(move || drop(send.send(work())));
+    let cancelled = Arc::new(AtomicBool::new(false));
+    let seen: Arc<Mutex<Option<(Stage, f64)>>> = Arc::default();
+    let (cancelled_too, seen_too) = (cancelled.clone(), seen.clone());
+    std::thread::spawn(move || {
+        let watch = Watch {
+            progress: &|stage, share| *locked(&seen_too) = Some((stage, share)),
+            cancelled: &|| cancelled_too.load(Ordering::Relaxed),
+        };
+        // Where nobody waits any more, the result is dropped.
+        drop(send.send(work(&watch)));
+    });
     // A receiver is not for several threads at once, which the lock says.
     let ended = Mutex::new(ended);
+    let wait = |time| py.detach(|| locked(&ended).recv_timeout(time));
     loop {
-        match py.detach(|| locked(&ended).recv_timeout(STEP)) {
-            Ok(value) => return Ok(value),
-            Err(RecvTimeoutError::Timeout) => py.check_signals()?,
-            Err(RecvTimeoutError::Disconnected) => {
+        let outcome = wait(STEP);
+        let raised = py.check_signals().and_then(|()| report(py, progress.as_ref(), &seen)).err();
+        match (outcome, raised) {
+            (Err(RecvTimeoutError::Timeout), None) => {}
+            (Ok(value), None) => return Ok(value),
+            (Err(RecvTimeoutError::Disconnected), None) => {
                 return Err(PyRuntimeError::new_err("the work has stopped without a result"));
+            }
+            (outcome, Some(raised)) => {
+                cancelled.store(true, Ordering::Relaxed);
+                if matches!(outcome, Err(RecvTimeoutError::Timeout)) {
+                    drop(wait(PATIENCE));
+                }
+                return Err(raised);
             }
         }
     }

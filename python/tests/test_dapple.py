@@ -159,16 +159,21 @@ def test_other_threads_run_while_a_texture_grows():
     assert counted[0] > 5, counted
 
 
-def test_ctrl_c_ends_a_growth():
+# At the beginning, and while marks are placed, which looks for nothing meanwhile.
+@pytest.mark.parametrize("share", ["0", "0.5"])
+def test_ctrl_c_ends_a_growth(share):
     code = (
-        "import dapple, sys, time\n"
+        "import dapple, signal, sys\n"
+        # A process in the background ignores it.
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         "marks = [dapple.ellipse([30 + 8 * k, 40 + k], [2, 1.5], angle=30) for k in range(3)]\n"
         "large = dapple.document([2400, 2400], layers=[dapple.layer(marks)])\n"
-        "try:\n    dapple.grow(large, progress=lambda *_: print('grows', flush=True))\n"
+        "try:\n    dapple.grow(large, progress=lambda *at: print(f'{at[0]} {at[1]:g}', flush=True))\n"
         "except KeyboardInterrupt:\n    print('stopped', flush=True); sys.exit(3)\n"
     )
     process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
-    assert process.stdout.readline() == "grows\n"
+    while process.stdout.readline() != f"plan {share}\n":
+        assert process.poll() is None
     begun = time.monotonic()
     process.send_signal(signal.SIGINT)
     lines, _ = process.communicate(timeout=60)
