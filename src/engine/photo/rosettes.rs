@@ -31,8 +31,9 @@ const SOLID: f64 = 0.85;
 const LARGER: usize = 2;
 /// Least area of a mark that is no ring, in that of a mean ring: smaller ones are parts of rings.
 const SMALLEST: f64 = 0.25;
-/// The radius of the disc that fills the dents of outlines, in depths of a blotch.
-const DENT: f64 = 1.0;
+/// The radius of the disc that fills the dents of outlines: in depths of a blotch, and at least in radii of the disc that closes rings,
+/// since it sinks into gaps that are hardly narrower than itself.
+const DENT: [f64; 2] = [1.0, 2.0];
 /// Distance from the ink within which ground may be that of a gap, cells, and how much it counts.
 const GAP: f64 = 2.0;
 const GAP_SHARE: f64 = 0.25;
@@ -70,13 +71,14 @@ pub fn found(field: &Field, level: f32) -> Option<(FoundRosettes, Field)> {
     if ink.blotches() < RINGS {
         return None;
     }
-    let (mut rings, others) = rings(&ink)?;
+    let (mut rings, others, reach) = rings(&ink)?;
     let like = like(&rings, &others);
     let rough = width(field, level, &rings, &like);
     let sizes: Vec<usize> = rings.iter().map(|ring| ring.cells.len()).collect();
     // Between the round corners of two blotches an outline is dented.
     let mut cells: Vec<&mut Vec<usize>> = rings.iter_mut().map(|ring| &mut ring.cells).collect();
-    closed::close(&mut cells, (DENT * rough / field.cell[0]) as f32, [field.width, field.height]);
+    let disc = (DENT[0] * rough / field.cell[0]).max(DENT[1] * f64::from(reach));
+    closed::close(&mut cells, disc as f32, [field.width, field.height]);
     let width = width(field, level, &rings, &like);
     let outlines = outlines(field, level, &rings, &others);
     let mut centres = vec![0; field.values.len()];
@@ -89,11 +91,12 @@ pub fn found(field: &Field, level: f32) -> Option<(FoundRosettes, Field)> {
     Some((FoundRosettes { like, ink: field.clone(), level, centres }, outlines))
 }
 
-/// The rings of blotches, and the other groups that are large enough to be marks, or cut by the border. `None` if they are few.
+/// The rings of blotches, the other groups that are large enough to be marks, or cut by the border, and the radius of the disc that closes
+/// most rings, cells. `None` if they are few.
 ///
 /// Each ring is found with the smallest disc that closes it, so that it is not joined to others beside it; but with no disc much larger
 /// than the one that finds most of them, as a large one joins any marks.
-fn rings(ink: &Ink) -> Option<(Vec<Group>, Vec<Group>)> {
+fn rings(ink: &Ink) -> Option<(Vec<Group>, Vec<Group>, f32)> {
     let none = vec![false; ink.cells()];
     let scores = REACHES.map(|reach| score(&ink.groups(reach, &none), reach));
     let best = (0..REACHES.len()).max_by(|a, b| scores[*a].total_cmp(&scores[*b]))?;
@@ -111,7 +114,7 @@ fn rings(ink: &Ink) -> Option<(Vec<Group>, Vec<Group>)> {
     let usual = rings.iter().map(|ring| ring.cells.len()).sum::<usize>() as f64 / rings.len().max(1) as f64;
     let is_large = |group: &Group| !group.whole || group.cells.len() as f64 >= SMALLEST * usual;
     let others = ink.groups(REACHES[best], &taken).into_iter().filter(is_large).collect();
-    (rings.len() >= RINGS).then_some((rings, others))
+    (rings.len() >= RINGS).then_some((rings, others, REACHES[best]))
 }
 
 /// Whether a group is a ring around ground that is deeper than the gaps of its outline.
