@@ -65,6 +65,9 @@ const NARROWEST_PART: f64 = 0.3;
 /// Ragged spots below this share of the usual area are fringes that have separated from others.
 const FRINGE: f64 = 0.2;
 
+/// Least raggedness of rosettes that are drawn ragged: gaps between blotches dent the outlines of round ones, to up to 1.1.
+const RAGGED_ROSETTES: f64 = 1.12;
+
 /// A sketch of the marks of a photograph; `size` is that of the photograph, px.
 #[must_use]
 pub fn sketch(reading: &Reading, size: [usize; 2], wanted: &Wanted) -> Sketch {
@@ -138,7 +141,7 @@ fn of_spots(reading: &Reading, size: [usize; 2], wanted: &Wanted, raggedness: Op
             name,
             marks: ellipses.into_iter().map(Mark::Ellipse).collect(),
             found,
-            raggedness,
+            raggedness: raggedness.filter(|found| rosettes.is_none() || *found >= RAGGED_ROSETTES),
             spread: spread(spots, size, regions),
             rosettes,
             tones,
