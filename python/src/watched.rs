@@ -53,7 +53,7 @@ pub fn watched<T: Send>(
 }
 
 /// Runs `work` on a thread that can outlive the call. Ctrl-C, or an exception of `progress(stage, share)`, cancels it and is raised
-/// soon after: a step that takes seconds and looks for nothing meanwhile is left to end by itself.
+/// soon after. A step that takes seconds and does not check for cancelling is left to end by itself.
 pub fn abandoned<T: Send + 'static>(
     py: Python<'_>,
     progress: Option<Py<PyAny>>,

@@ -159,12 +159,12 @@ def test_other_threads_run_while_a_texture_grows():
     assert counted[0] > 5, counted
 
 
-# At the beginning, and while marks are placed, which looks for nothing meanwhile.
+# At the beginning, and while marks are placed: that step does not check for cancelling.
 @pytest.mark.parametrize("share", ["0", "0.5"])
 def test_ctrl_c_ends_a_growth(share):
     code = (
         "import dapple, signal, sys\n"
-        # A process in the background ignores it.
+        # A process that is started in the background ignores Ctrl-C.
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         "marks = [dapple.ellipse([30 + 8 * k, 40 + k], [2, 1.5], angle=30) for k in range(3)]\n"
         "large = dapple.document([2400, 2400], layers=[dapple.layer(marks)])\n"

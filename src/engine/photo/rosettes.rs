@@ -34,7 +34,8 @@ const SMALLEST: f64 = 0.25;
 /// The radius of the disc that fills the dents of outlines: in depths of a blotch, and at least in radii of the disc that closes rings,
 /// since it sinks into gaps that are hardly narrower than itself.
 const DENT: [f64; 2] = [1.0, 2.0];
-/// Distance from the ink within which ground may be that of a gap, cells, and how much it counts.
+/// Distance from the ink within which ground may be that of a gap, cells, and how much it counts: grown rosettes 7 and 8 px deep are read
+/// within 12 %, photographed ones within 10 % (tests); counted whole, they were read 13 % too deep.
 const GAP: f64 = 2.0;
 const GAP_SHARE: f64 = 0.25;
 /// The value of outlines at their edges, and the one outside and between groups that touch.

@@ -13,9 +13,10 @@ use crate::finish::noise::part_seed;
 use crate::surface::SurfacePoint;
 use crate::surface::vector::length;
 
-/// Places within marks that are looked at, and the most places of the surface.
+/// Places within marks that are looked at, and the most places of the surface. Where a finish moves a third of the ink, the standard
+/// error of its mean over 20,000 places is 0.4 %.
 const PLACES: [f64; 2] = [20_000.0, 250_000.0];
-/// Distance from edges of marks up to which the ink may change, sizes of the finish.
+/// Distance from edges of marks up to which the ink may change, sizes of the finish: the longest hair has 1.55.
 const NEAR: f32 = 1.6;
 /// Halvings of the range of h.
 const HALVINGS: usize = 8;

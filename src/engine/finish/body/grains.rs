@@ -58,7 +58,7 @@ impl Grains {
 
     /// Carries colours this share of their way.
     pub fn carry(&mut self, carried: Carried) {
-        // Small grains only show where edges are.
+        // Small grains have the colour of the large one that they are in.
         self.large.carry(carried);
     }
 

@@ -28,7 +28,7 @@ pub trait PatternRows: Send + Sync {
     fn field(&self, width: usize, height: usize) -> Field;
 }
 
-/// The pattern with `by` times the cells of its `coarse` field along each side, but with no more than px.
+/// The pattern with `by` times the cells of its `coarse` field along each side, at most one a px; `coarse` has the cells that it grew on.
 #[must_use]
 pub fn finer(pattern: &dyn PatternRows, coarse: &Field, by: f64) -> Field {
     let extent = coarse.extent();
